@@ -1,0 +1,40 @@
+// The pose graph: what a front end emits and a back end optimizes. Plain data.
+#ifndef GMAPPING_SPA_BACKEND_POSE_GRAPH_H_
+#define GMAPPING_SPA_BACKEND_POSE_GRAPH_H_
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "backend/se2.h"
+
+namespace gmapping_spa::backend {
+
+// A robot pose to be estimated.
+struct Node {
+  std::int64_t id = 0;
+  double stamp_s = 0.0;
+  SE2 world_T_node;  // current estimate
+};
+
+enum class EdgeKind : std::uint8_t { kOdometry, kScanMatch, kLoopClosure };
+
+// A measured relative pose. `information` is the inverse covariance of (x, y, theta) of i_T_j, its
+// translation expressed in frame i: the convention of .g2o files.
+struct Edge {
+  std::int64_t i = 0;  // id of the node that the measurement is expressed in
+  std::int64_t j = 0;
+  SE2 i_T_j;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
+  EdgeKind kind = EdgeKind::kOdometry;
+};
+
+// Nodes and edges in the order in which they were added. Ids need not be dense nor sorted.
+struct PoseGraph {
+  std::vector<Node> nodes;
+  std::vector<Edge> edges;
+};
+
+}  // namespace gmapping_spa::backend
+
+#endif  // GMAPPING_SPA_BACKEND_POSE_GRAPH_H_

@@ -1,0 +1,1 @@
+#include "backend/trajectory_io.h"

@@ -1,0 +1,26 @@
+// What every executable shares: start-up, error reporting, interruption.
+#ifndef GMAPPING_SPA_EXPERIMENTS_APPS_APP_H_
+#define GMAPPING_SPA_EXPERIMENTS_APPS_APP_H_
+
+#include <functional>
+#include <stdexcept>
+
+namespace gmapping_spa::apps {
+
+// Thrown by ThrowIfInterrupted after SIGINT or SIGTERM.
+struct Interrupted : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Parses the gflags of the command line (with `usage` for --help), starts glog (to stderr),
+// installs handlers for SIGINT and SIGTERM and calls `run`. Returns the exit status of the process:
+// 0 when `run` returned; 1 with one line on stderr when it threw or when words are left over on the
+// command line; 130 when it was interrupted.
+int RunApp(int argc, char** argv, const char* usage, const std::function<void()>& run);
+
+// Call it once per item of long work.
+void ThrowIfInterrupted();
+
+}  // namespace gmapping_spa::apps
+
+#endif  // GMAPPING_SPA_EXPERIMENTS_APPS_APP_H_
