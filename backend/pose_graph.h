@@ -14,7 +14,8 @@ namespace gmapping_spa::backend {
 struct Node {
   std::int64_t id = 0;
   double stamp_s = 0.0;
-  SE2 world_T_node;  // current estimate
+  SE2 world_T_node;    // current estimate
+  bool fixed = false;  // known: no optimizer moves it
 };
 
 enum class EdgeKind : std::uint8_t { kOdometry, kScanMatch, kLoopClosure };
@@ -29,7 +30,8 @@ struct Edge {
   EdgeKind kind = EdgeKind::kOdometry;
 };
 
-// Nodes and edges in the order in which they were added. Ids need not be dense nor sorted.
+// Nodes and edges in the order in which they were added. Ids need not be dense nor sorted. A
+// connected component none of whose nodes is fixed is held by its first node.
 struct PoseGraph {
   std::vector<Node> nodes;
   std::vector<Edge> edges;
