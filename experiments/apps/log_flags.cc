@@ -1,0 +1,68 @@
+#include "experiments/apps/log_flags.h"
+
+#include <gflags/gflags.h>
+
+#include <cstdio>
+#include <numbers>
+#include <stdexcept>
+
+namespace {
+const gmapping_spa::sensor::LogOptions kDefaults;
+}
+
+DEFINE_double(usable_range_m, kDefaults.usable_range_m,
+              "A range this long or longer is no return: a fact of the sensor.");
+DEFINE_double(range_min_m, kDefaults.range_min_m, "A range shorter than this is invalid.");
+DEFINE_string(fov_deg, "", "Angle from the first beam to the last, instead of the log's.");
+DEFINE_string(angle_min_deg, "", "Angle of the first beam, instead of the log's.");
+DEFINE_string(laser_pose, "", "Pose x,y,theta (m, m, rad) of the laser on the robot, instead of "
+              "the log's.");
+DEFINE_bool(laser_flipped, kDefaults.flipped, "The laser is mounted upside down.");
+DEFINE_double(reorder_window_s, kDefaults.reorder_window_s,
+              "Records are put in order of time when they are at most this late.");
+DEFINE_double(gap_s, kDefaults.gap_s, "A longer time between two scans is counted as a gap.");
+DEFINE_string(bad_record, "skip", "What to do about records that cannot be used: skip or fail.");
+
+namespace gmapping_spa::apps {
+namespace {
+
+std::optional<double> OptionalRadians(const std::string& flag, const std::string& degrees) {
+  if (degrees.empty()) return std::nullopt;
+  double value = 0.0;
+  char rest = 0;
+  if (std::sscanf(degrees.c_str(), "%lf%c", &value, &rest) != 1) {
+    throw std::runtime_error("--" + flag + "=" + degrees + ": expected a number of degrees");
+  }
+  return value * std::numbers::pi / 180.0;
+}
+
+}  // namespace
+
+sensor::LogOptions LogOptionsFromFlags() {
+  sensor::LogOptions options;
+  options.usable_range_m = FLAGS_usable_range_m;
+  options.range_min_m = FLAGS_range_min_m;
+  options.fov_rad = OptionalRadians("fov_deg", FLAGS_fov_deg);
+  options.angle_min_rad = OptionalRadians("angle_min_deg", FLAGS_angle_min_deg);
+  if (!FLAGS_laser_pose.empty()) {
+    backend::SE2 pose;
+    char rest = 0;
+    if (std::sscanf(FLAGS_laser_pose.c_str(), "%lf,%lf,%lf%c", &pose.x, &pose.y, &pose.theta,
+                    &rest) != 3 ||
+        !pose.IsFinite()) {
+      throw std::runtime_error("--laser_pose=" + FLAGS_laser_pose + ": expected x,y,theta");
+    }
+    options.robot_T_laser = pose;
+  }
+  options.flipped = FLAGS_laser_flipped;
+  options.reorder_window_s = FLAGS_reorder_window_s;
+  options.gap_s = FLAGS_gap_s;
+  if (FLAGS_bad_record != "skip" && FLAGS_bad_record != "fail") {
+    throw std::runtime_error("--bad_record=" + FLAGS_bad_record + ": expected skip or fail");
+  }
+  options.bad_record = FLAGS_bad_record == "fail" ? sensor::BadRecordPolicy::kFail
+                                                  : sensor::BadRecordPolicy::kSkip;
+  return options;
+}
+
+}  // namespace gmapping_spa::apps

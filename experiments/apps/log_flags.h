@@ -1,0 +1,14 @@
+// Flags that say how a sensor log is read.
+#ifndef GMAPPING_SPA_EXPERIMENTS_APPS_LOG_FLAGS_H_
+#define GMAPPING_SPA_EXPERIMENTS_APPS_LOG_FLAGS_H_
+
+#include "frontend/sensor/log_options.h"
+
+namespace gmapping_spa::apps {
+
+// Throws std::runtime_error with one line when a flag makes no sense.
+sensor::LogOptions LogOptionsFromFlags();
+
+}  // namespace gmapping_spa::apps
+
+#endif  // GMAPPING_SPA_EXPERIMENTS_APPS_LOG_FLAGS_H_

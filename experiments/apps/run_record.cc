@@ -1,0 +1,81 @@
+#include "experiments/apps/run_record.h"
+
+#include <gflags/gflags.h>
+#include <sys/resource.h>
+
+#include <Eigen/Core>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace gmapping_spa::apps {
+namespace {
+
+bool IsOwnFlag(const gflags::CommandLineFlagInfo& flag) {
+  return flag.filename.find("experiments/apps/") != std::string::npos;
+}
+
+Json FlagValue(const gflags::CommandLineFlagInfo& flag) {
+  if (flag.type == "bool") return flag.current_value == "true";
+  if (flag.type == "string") return flag.current_value;
+  return Json::parse(flag.current_value, nullptr, /*allow_exceptions=*/false);
+}
+
+Json ResultFlags() {
+  static const std::set<std::string> kNoInfluence = {"log", "output_dir", "threads"};
+  std::vector<gflags::CommandLineFlagInfo> flags;
+  gflags::GetAllFlags(&flags);
+  Json json;
+  for (const gflags::CommandLineFlagInfo& flag : flags) {
+    if (IsOwnFlag(flag) && !kNoInfluence.contains(flag.name)) json[flag.name] = FlagValue(flag);
+  }
+  return json;
+}
+
+double Seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+}  // namespace
+
+Json MakeRunRecord(const FileIdentity& input, const sensor::LogCounts& log_counts,
+                   const frontend::Gmapping& gmapping, const map::TrinaryMap& map,
+                   const Stopwatch& stopwatch) {
+  std::string threads;
+  gflags::GetCommandLineOption("threads", &threads);
+  const frontend::Gmapping::Counts& counts = gmapping.counts();
+  const map::OccupancyGrid& grid = gmapping.Map();
+  const particle_filter::ParticleFilter::Times& filter_times = gmapping.filter().times();
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  Json json = {
+      {"versions",
+       {{"gmapping_spa", gflags::VersionString()},
+        {"compiler", __VERSION__},
+        {"eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) +
+                      "." + std::to_string(EIGEN_MINOR_VERSION)}}},
+      {"flags", ResultFlags()},
+      {"input", {{"sha256", input.sha256}, {"bytes", input.bytes}, {"records", log_counts}}},
+      {"counts",
+       {{"scans", counts.scans},
+        {"updates", counts.updates},
+        {"resamplings", counts.resamplings},
+        {"failed_matches", counts.failed_matches}}},
+      {"map",
+       {{"width", map.width},
+        {"height", map.height},
+        {"resolution_m", map.resolution_m},
+        {"tiles_of_best_particle", grid.CountTiles()}}},
+      {"resources",
+       {{"threads", std::stoi(threads)},
+        {"user_s", Seconds(usage.ru_utime)},
+        {"system_s", Seconds(usage.ru_stime)},
+        {"peak_memory_mb", static_cast<double>(usage.ru_maxrss) / 1024.0},
+        {"matching_s", filter_times.matching_s},
+        {"registration_s", filter_times.registration_s},
+        {"resampling_s", filter_times.resampling_s}}}};
+  json["resources"].update(stopwatch.laps());
+  return json;
+}
+
+}  // namespace gmapping_spa::apps

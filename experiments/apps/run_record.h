@@ -1,0 +1,40 @@
+// run.json: what was run on what, and what came of it.
+#ifndef GMAPPING_SPA_EXPERIMENTS_APPS_RUN_RECORD_H_
+#define GMAPPING_SPA_EXPERIMENTS_APPS_RUN_RECORD_H_
+
+#include <chrono>
+
+#include "experiments/apps/input_file.h"
+#include "experiments/apps/json.h"
+#include "frontend/gmapping.h"
+#include "frontend/map/trinary_map.h"
+#include "frontend/sensor/log_reader.h"
+
+namespace gmapping_spa::apps {
+
+// Wall-clock times of the stages of a run.
+class Stopwatch {
+ public:
+  // Ends the stage that began with the construction or the last lap.
+  void Lap(const char* name) {
+    const Clock::time_point now = Clock::now();
+    laps_[name] = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+  }
+  const Json& laps() const { return laps_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+  Json laps_;
+};
+
+// Everything that may differ between two runs with the same input, flags and seed (times, memory,
+// and what does not change results: --threads and where outputs go) stands under "resources".
+Json MakeRunRecord(const FileIdentity& input, const sensor::LogCounts& log_counts,
+                   const frontend::Gmapping& gmapping, const map::TrinaryMap& map,
+                   const Stopwatch& stopwatch);
+
+}  // namespace gmapping_spa::apps
+
+#endif  // GMAPPING_SPA_EXPERIMENTS_APPS_RUN_RECORD_H_

@@ -1,0 +1,125 @@
+#include "experiments/apps/slam_flags.h"
+
+#include <gflags/gflags.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace {
+const gmapping_spa::frontend::Gmapping::Options kGmapping;
+const auto& kMotion = kGmapping.filter.motion;
+const gmapping_spa::scan_matching::HillClimbing::Options kHillClimbing;
+const gmapping_spa::scan_matching::EndpointModel::Options kEndpoint;
+}  // namespace
+
+DEFINE_string(backend, "none", "Back end that optimizes the pose graph: none.");
+DEFINE_int32(particles, kGmapping.filter.particles, "Number of particles.");
+DEFINE_uint64(seed, kGmapping.filter.seed, "Seed of all random numbers.");
+DEFINE_int32(threads, kGmapping.filter.threads,
+             "Threads for the particles; the results do not depend on it.");
+
+DEFINE_double(linear_update_m, kGmapping.linear_update_m,
+              "The filter is updated after this much driving.");
+DEFINE_double(angular_update_rad, kGmapping.angular_update_rad,
+              "The filter is updated after this much turning.");
+DEFINE_double(resample_threshold, kGmapping.filter.resample_threshold,
+              "Resample when N_eff is below this part of the number of particles.");
+DEFINE_double(obs_sigma_gain, kGmapping.filter.obs_sigma_gain,
+              "Weights are flattened by the exponent 1 / (this * particles).");
+
+DEFINE_double(resolution_m, kGmapping.filter.grid.resolution_m, "Size of a map cell.");
+DEFINE_double(full_threshold, kGmapping.filter.grid.full_threshold,
+              "A cell with more than this part of hits is an obstacle for scan matching.");
+DEFINE_double(occupied_threshold, 0.25,
+              "A cell with more than this part of hits is occupied in the map written.");
+DEFINE_bool(no_return_clears, kGmapping.filter.registration.no_return_clears,
+            "Beams without return clear the map up to the usable range.");
+
+DEFINE_double(match_linear_step_m, kHillClimbing.linear_step_m, "First step of hill climbing.");
+DEFINE_double(match_angular_step_rad, kHillClimbing.angular_step_rad,
+              "First step of hill climbing.");
+DEFINE_int32(match_halvings, kHillClimbing.halvings, "How often hill climbing halves its steps.");
+DEFINE_double(match_min_score, kHillClimbing.min_score,
+              "A scan match with a mean score a beam (0 to 1) below this has failed.");
+DEFINE_double(score_sigma_m, kEndpoint.score_sigma_m,
+              "Width of the kernel by which hill climbing scores a beam.");
+DEFINE_double(likelihood_sigma_m, kEndpoint.likelihood_sigma_m,
+              "Standard deviation of a beam's end point in the likelihood.");
+DEFINE_double(unmatched_distance_m, kEndpoint.unmatched_distance_m,
+              "A beam that the map does not explain counts as this far off.");
+
+DEFINE_double(motion_linear_per_linear, kMotion.linear_per_linear, "Noise, m per m driven.");
+DEFINE_double(motion_linear_per_angular, kMotion.linear_per_angular, "Noise, m per rad turned.");
+DEFINE_double(motion_lateral_per_linear, kMotion.lateral_per_linear,
+              "Noise across the motion, m per m driven.");
+DEFINE_double(motion_angular_per_linear, kMotion.angular_per_linear, "Noise, rad per m driven.");
+DEFINE_double(motion_angular_per_angular, kMotion.angular_per_angular,
+              "Noise, rad per rad turned.");
+DEFINE_double(motion_linear_floor_m, kMotion.linear_floor_m, "Noise without motion.");
+DEFINE_double(motion_angular_floor_rad, kMotion.angular_floor_rad, "Noise without motion.");
+
+namespace gmapping_spa::apps {
+namespace {
+
+// Both are false for NaN.
+double Positive(const char* name, double value) {
+  if (value > 0.0 && value < 1e9) return value;
+  throw std::runtime_error(std::string("--") + name + ": expected a positive number");
+}
+
+double NotNegative(const char* name, double value) {
+  if (value >= 0.0 && value < 1e9) return value;
+  throw std::runtime_error(std::string("--") + name + ": expected a number, 0 or more");
+}
+
+}  // namespace
+
+frontend::Gmapping::Options GmappingOptionsFromFlags() {
+  if (FLAGS_backend != "none") {
+    throw std::runtime_error("--backend=" + FLAGS_backend + ": unknown back end, expected none");
+  }
+  frontend::Gmapping::Options options;
+  options.linear_update_m = NotNegative("linear_update_m", FLAGS_linear_update_m);
+  options.angular_update_rad = NotNegative("angular_update_rad", FLAGS_angular_update_rad);
+  particle_filter::ParticleFilter::Options& filter = options.filter;
+  filter.particles = static_cast<int>(Positive("particles", FLAGS_particles));
+  filter.threads = static_cast<int>(Positive("threads", FLAGS_threads));
+  filter.seed = FLAGS_seed;
+  filter.resample_threshold = NotNegative("resample_threshold", FLAGS_resample_threshold);
+  filter.obs_sigma_gain = Positive("obs_sigma_gain", FLAGS_obs_sigma_gain);
+  filter.grid.resolution_m = Positive("resolution_m", FLAGS_resolution_m);
+  filter.grid.full_threshold = NotNegative("full_threshold", FLAGS_full_threshold);
+  filter.registration.no_return_clears = FLAGS_no_return_clears;
+  filter.motion = {
+      .linear_per_linear = NotNegative("motion_linear_per_linear", FLAGS_motion_linear_per_linear),
+      .linear_per_angular =
+          NotNegative("motion_linear_per_angular", FLAGS_motion_linear_per_angular),
+      .lateral_per_linear =
+          NotNegative("motion_lateral_per_linear", FLAGS_motion_lateral_per_linear),
+      .angular_per_linear =
+          NotNegative("motion_angular_per_linear", FLAGS_motion_angular_per_linear),
+      .angular_per_angular =
+          NotNegative("motion_angular_per_angular", FLAGS_motion_angular_per_angular),
+      .linear_floor_m = Positive("motion_linear_floor_m", FLAGS_motion_linear_floor_m),
+      .angular_floor_rad = Positive("motion_angular_floor_rad", FLAGS_motion_angular_floor_rad)};
+  return options;
+}
+
+scan_matching::HillClimbing::Options HillClimbingOptionsFromFlags() {
+  return {.linear_step_m = Positive("match_linear_step_m", FLAGS_match_linear_step_m),
+          .angular_step_rad = Positive("match_angular_step_rad", FLAGS_match_angular_step_rad),
+          .halvings = static_cast<int>(NotNegative("match_halvings", FLAGS_match_halvings)),
+          .min_score = NotNegative("match_min_score", FLAGS_match_min_score)};
+}
+
+scan_matching::EndpointModel::Options EndpointModelOptionsFromFlags() {
+  return {.score_sigma_m = Positive("score_sigma_m", FLAGS_score_sigma_m),
+          .likelihood_sigma_m = Positive("likelihood_sigma_m", FLAGS_likelihood_sigma_m),
+          .unmatched_distance_m = Positive("unmatched_distance_m", FLAGS_unmatched_distance_m)};
+}
+
+double OccupiedThresholdFromFlags() {
+  return NotNegative("occupied_threshold", FLAGS_occupied_threshold);
+}
+
+}  // namespace gmapping_spa::apps

@@ -1,0 +1,19 @@
+// Flags of the SLAM algorithm.
+#ifndef GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_FLAGS_H_
+#define GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_FLAGS_H_
+
+#include "frontend/gmapping.h"
+#include "frontend/scan_matching/endpoint_model.h"
+#include "frontend/scan_matching/hill_climbing.h"
+
+namespace gmapping_spa::apps {
+
+// Each throws std::runtime_error with one line when a flag makes no sense.
+frontend::Gmapping::Options GmappingOptionsFromFlags();
+scan_matching::HillClimbing::Options HillClimbingOptionsFromFlags();
+scan_matching::EndpointModel::Options EndpointModelOptionsFromFlags();
+double OccupiedThresholdFromFlags();
+
+}  // namespace gmapping_spa::apps
+
+#endif  // GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_FLAGS_H_

@@ -1,0 +1,24 @@
+// Entering a scan into an occupancy grid.
+#ifndef GMAPPING_SPA_FRONTEND_MAP_SCAN_REGISTRATION_H_
+#define GMAPPING_SPA_FRONTEND_MAP_SCAN_REGISTRATION_H_
+
+#include "backend/se2.h"
+#include "frontend/map/occupancy_grid.h"
+#include "frontend/sensor/laser_scan.h"
+
+namespace gmapping_spa::map {
+
+struct RegistrationOptions {
+  // Whether a beam without return counts as free space up to the usable range. Off by default: on
+  // many scanners a missing return also means glass, black or grazing surfaces.
+  bool no_return_clears = false;
+};
+
+// Eq. (16), the map posterior given a pose: every hit counts for the cell that holds its end point
+// and as a pass for the cells on the way there.
+void RegisterScan(const sensor::LaserScan& scan, const backend::SE2& world_T_robot,
+                  const RegistrationOptions& options, OccupancyGrid* grid);
+
+}  // namespace gmapping_spa::map
+
+#endif  // GMAPPING_SPA_FRONTEND_MAP_SCAN_REGISTRATION_H_

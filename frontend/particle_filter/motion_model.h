@@ -1,0 +1,44 @@
+// The odometry motion model p(x_t | x_{t-1}, u_t).
+#ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_MOTION_MODEL_H_
+#define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_MOTION_MODEL_H_
+
+#include <Eigen/Core>
+
+#include "backend/counter_random.h"
+#include "backend/se2.h"
+
+namespace gmapping_spa::particle_filter {
+
+// Gaussian noise on the increments of the odometry, in the frame of the pose before the motion. Its
+// standard deviations grow with the motion, as in GMapping.
+class MotionModel {
+ public:
+  struct Options {
+    double linear_per_linear = 0.1;    // m of noise along the motion per m driven ("srr")
+    double linear_per_angular = 0.1;   // m per rad turned ("str")
+    double lateral_per_linear = 0.03;  // m of noise across the motion per m driven ("sxy")
+    double angular_per_linear = 0.2;   // rad per m driven ("srt")
+    double angular_per_angular = 0.2;  // rad per rad turned ("stt")
+    double linear_floor_m = 0.01;      // of a robot that stands still: sensors and clocks jitter
+    double angular_floor_rad = 0.005;
+  };
+
+  explicit MotionModel(const Options& options);
+
+  // Standard deviations of (x, y, theta) of the increment `u`.
+  Eigen::Vector3d Sigmas(const backend::SE2& u) const;
+
+  // Eq. (9): draws x_t given x_{t-1} and the odometry increment u = Between(odom_{t-1}, odom_t).
+  backend::SE2 Sample(const backend::SE2& world_T_previous, const backend::SE2& u,
+                      backend::CounterRandom* random) const;
+
+  // Covariance of x_t in the world frame: the mean is world_T_previous * u.
+  Eigen::Matrix3d Covariance(const backend::SE2& world_T_previous, const backend::SE2& u) const;
+
+ private:
+  Options options_;
+};
+
+}  // namespace gmapping_spa::particle_filter
+
+#endif  // GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_MOTION_MODEL_H_

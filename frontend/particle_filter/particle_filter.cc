@@ -1,0 +1,166 @@
+#include "frontend/particle_filter/particle_filter.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <utility>
+
+#include "frontend/particle_filter/proposal.h"
+#include "frontend/particle_filter/resampling.h"
+
+namespace gmapping_spa::particle_filter {
+namespace {
+
+using backend::CounterRandom;
+using backend::SE2;
+
+// Streams of random numbers.
+constexpr std::uint32_t kMoveStream = 1;
+constexpr std::uint32_t kResampleStream = 2;
+
+// Adds the wall-clock time of its life to a sum.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double* sum_s) : sum_s_(sum_s), start_(Clock::now()) {}
+  ~Stopwatch() { *sum_s_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double* sum_s_;
+  Clock::time_point start_;
+};
+
+}  // namespace
+
+ParticleFilter::ParticleFilter(const Options& options,
+                               std::shared_ptr<const scan_matching::ScanMatcher> matcher,
+                               const scan_matching::EndpointModel& model)
+    : options_(options),
+      matcher_(std::move(matcher)),
+      model_(model),
+      motion_model_(options.motion),
+      for_each_particle_(std::min(options.threads, options.particles)) {
+  CHECK_GE(options.particles, 1);
+  CHECK_GT(options.obs_sigma_gain, 0.0);
+}
+
+void ParticleFilter::Start(const sensor::LaserScan& scan, const SE2& world_T_robot) {
+  Particle first{.world_T_robot = world_T_robot,
+                 .map = map::OccupancyGrid(options_.grid),
+                 .leaf = tree_.Append(TrajectoryTree::kNone, world_T_robot),
+                 .step = {}};
+  map::RegisterScan(scan, world_T_robot, options_.registration, &first.map);
+  particles_.assign(options_.particles, first);
+}
+
+ParticleFilter::Update ParticleFilter::Advance(const sensor::LaserScan& scan,
+                                               const SE2& odometry_increment) {
+  CHECK(!particles_.empty()) << "Start comes first";
+  ++step_;
+  Update update;
+  {
+    const Stopwatch stopwatch(&times_.matching_s);
+    const scan_matching::ScanPoints points = scan_matching::MakeScanPoints(scan);
+    for_each_particle_(options_.particles,
+                       [&](int index) { Move(points, odometry_increment, index); });
+  }
+  for (Particle& particle : particles_) {
+    update.failed_matches += particle.step.matched ? 0 : 1;
+    particle.leaf = tree_.Append(particle.leaf, particle.world_T_robot);
+  }
+  const std::vector<int> ancestors = ChooseAncestors(&update);
+  {
+    const Stopwatch stopwatch(&times_.registration_s);
+    Register(scan, ancestors);
+  }
+  if (update.resampled) {
+    const Stopwatch stopwatch(&times_.resampling_s);
+    Duplicate(ancestors);
+  }
+  return update;
+}
+
+// Samples the new pose of a particle and weights it.
+void ParticleFilter::Move(const scan_matching::ScanPoints& points, const SE2& odometry_increment,
+                          int index) {
+  CounterRandom random(options_.seed, kMoveStream, step_, index);
+  Particle& particle = particles_[index];
+  const SE2 previous = particle.world_T_robot;
+  const PoseGaussian prior{previous * odometry_increment,
+                           motion_model_.Covariance(previous, odometry_increment)};
+  const scan_matching::MatchResult match =
+      matcher_->Match(particle.map, points, prior.mean);  // eq. (8)
+  double log_factor = 0.0;                                // of the weight, eqs. (7) and (15)
+  if (match.success) {
+    const Proposal proposal =
+        ComputeProposal(particle.map, points, model_, match.world_T_robot, prior);
+    particle.world_T_robot = Draw(proposal.gaussian, &random);  // eq. (13)
+    particle.step = {previous, true, proposal.gaussian.covariance};
+    log_factor = proposal.log_eta;
+  } else {
+    particle.world_T_robot = motion_model_.Sample(previous, odometry_increment, &random);
+    particle.step = {previous, false, prior.covariance};
+    log_factor = model_.LogLikelihood(particle.map, points, particle.world_T_robot);  // eq. (10)
+  }
+  particle.log_weight += log_factor;
+  particle.log_likelihood += log_factor;
+}
+
+// Eq. (17): resamples when N_eff is small. Ancestor of each particle of the next generation.
+std::vector<int> ParticleFilter::ChooseAncestors(Update* update) {
+  std::vector<double> log_weights;
+  for (const Particle& particle : particles_) log_weights.push_back(particle.log_weight);
+  const std::vector<double> weights =
+      NormalizedWeights(log_weights, 1.0 / (options_.obs_sigma_gain * options_.particles));
+  update->effective_sample_size = EffectiveSampleSize(weights);
+  update->resampled =
+      update->effective_sample_size < options_.resample_threshold * options_.particles;
+  if (update->resampled) {
+    return SystematicResample(weights,
+                              CounterRandom(options_.seed, kResampleStream, step_).Uniform());
+  }
+  std::vector<int> everybody(particles_.size());
+  std::iota(everybody.begin(), everybody.end(), 0);
+  return everybody;
+}
+
+// Enters the scan into the maps of those that live on: before they are duplicated, so that twins
+// share the result.
+void ParticleFilter::Register(const sensor::LaserScan& scan, const std::vector<int>& ancestors) {
+  std::vector<int> survivors;
+  std::unique_copy(ancestors.begin(), ancestors.end(), std::back_inserter(survivors));
+  for_each_particle_(static_cast<int>(survivors.size()), [&](int i) {
+    Particle& particle = particles_[survivors[i]];
+    map::RegisterScan(scan, particle.world_T_robot, options_.registration, &particle.map);
+  });
+}
+
+void ParticleFilter::Duplicate(const std::vector<int>& ancestors) {
+  std::vector<Particle> next;
+  std::vector<TrajectoryTree::Index> leaves;
+  for (const int ancestor : ancestors) {
+    next.push_back(particles_[ancestor]);
+    next.back().log_weight = 0.0;
+    leaves.push_back(next.back().leaf);
+  }
+  particles_ = std::move(next);
+  tree_.Prune(&leaves);
+  for (std::size_t i = 0; i < leaves.size(); ++i) particles_[i].leaf = leaves[i];
+}
+
+int ParticleFilter::BestParticle() const {
+  const auto best = std::max_element(
+      particles_.begin(), particles_.end(),
+      [](const Particle& a, const Particle& b) { return a.log_likelihood < b.log_likelihood; });
+  return static_cast<int>(best - particles_.begin());
+}
+
+std::vector<SE2> ParticleFilter::Path(int particle) const {
+  return tree_.Path(particles_[particle].leaf);
+}
+
+}  // namespace gmapping_spa::particle_filter

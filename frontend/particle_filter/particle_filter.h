@@ -1,0 +1,88 @@
+// The Rao-Blackwellized particle filter of GMapping: each particle a trajectory and its map.
+#ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PARTICLE_FILTER_H_
+#define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PARTICLE_FILTER_H_
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "backend/se2.h"
+#include "frontend/map/occupancy_grid.h"
+#include "frontend/map/scan_registration.h"
+#include "frontend/particle_filter/motion_model.h"
+#include "frontend/particle_filter/parallel_for.h"
+#include "frontend/particle_filter/particle.h"
+#include "frontend/scan_matching/endpoint_model.h"
+#include "frontend/scan_matching/scan_matcher.h"
+#include "frontend/sensor/laser_scan.h"
+
+namespace gmapping_spa::particle_filter {
+
+// Factorization, eq. (6): p(x_1:t, m | z, u) = p(m | x_1:t, z) p(x_1:t | z, u). The second factor is
+// what the particles sample; the first one is computed for each of them.
+class ParticleFilter {
+ public:
+  struct Options {
+    int particles = 30;
+    int threads = 1;
+    std::uint64_t seed = 1;
+    // Resampling when N_eff falls below this part of the number of particles.
+    double resample_threshold = 0.5;
+    // Weights are p(z)^(1 / (gain * particles)), as in GMapping.
+    double obs_sigma_gain = 3.0;
+    MotionModel::Options motion;
+    map::OccupancyGrid::Options grid;
+    map::RegistrationOptions registration;
+  };
+
+  struct Update {
+    double effective_sample_size = 0.0;
+    bool resampled = false;
+    int failed_matches = 0;  // number of particles
+  };
+
+  struct Times {  // wall clock, s
+    double matching_s = 0.0;
+    double registration_s = 0.0;
+    double resampling_s = 0.0;
+  };
+
+  ParticleFilter(const Options& options, std::shared_ptr<const scan_matching::ScanMatcher> matcher,
+                 const scan_matching::EndpointModel& model);
+
+  // Starts all particles at `world_T_robot` with a map of this scan.
+  void Start(const sensor::LaserScan& scan, const backend::SE2& world_T_robot);
+
+  // One step of the filter, given the odometry increment since the step before.
+  Update Advance(const sensor::LaserScan& scan, const backend::SE2& odometry_increment);
+
+  // Index of the particle whose whole path explains the scans best.
+  int BestParticle() const;
+  const std::vector<Particle>& particles() const { return particles_; }
+
+  // Poses of a particle at Start and at every Advance.
+  std::vector<backend::SE2> Path(int particle) const;
+
+  const Times& times() const { return times_; }
+
+ private:
+  void Move(const scan_matching::ScanPoints& points, const backend::SE2& odometry_increment,
+            int index);
+  std::vector<int> ChooseAncestors(Update* update);
+  void Register(const sensor::LaserScan& scan, const std::vector<int>& ancestors);
+  void Duplicate(const std::vector<int>& ancestors);
+
+  Options options_;
+  std::shared_ptr<const scan_matching::ScanMatcher> matcher_;
+  scan_matching::EndpointModel model_;
+  MotionModel motion_model_;
+  ParallelFor for_each_particle_;
+  std::vector<Particle> particles_;
+  TrajectoryTree tree_;
+  std::uint32_t step_ = 0;  // addresses the random numbers
+  Times times_;
+};
+
+}  // namespace gmapping_spa::particle_filter
+
+#endif  // GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PARTICLE_FILTER_H_

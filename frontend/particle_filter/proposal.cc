@@ -1,0 +1,110 @@
+#include "frontend/particle_filter/proposal.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace gmapping_spa::particle_filter {
+namespace {
+
+using backend::SE2;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using SymmetricEigenSolver = Eigen::SelfAdjointEigenSolver<Matrix3d>;
+
+constexpr double kAngularStep_rad = 0.01;  // moves an end point at 5 m by a cell of 0.05 m
+
+SE2 Moved(const SE2& pose, const Vector3d& offset) {
+  return {pose.x + offset.x(), pose.y + offset.y(), backend::WrapAngle(pose.theta + offset.z())};
+}
+
+Vector3d Offset(const SE2& from, const SE2& to) {
+  return {to.x - from.x, to.y - from.y, backend::WrapAngle(to.theta - from.theta)};
+}
+
+// Minus the Hessian of f at zero by central differences with unit step, without the parts that curve
+// upward: there the likelihood does not bound the pose.
+template <typename Function>
+Matrix3d Curvature(const Function& f) {
+  Matrix3d curvature;
+  const double centre = f(Vector3d::Zero());
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d ei = Vector3d::Unit(i);
+    curvature(i, i) = 2.0 * centre - f(ei) - f(-ei);
+    for (int j = 0; j < i; ++j) {
+      const Vector3d ej = Vector3d::Unit(j);
+      curvature(i, j) = (f(ei - ej) + f(ej - ei) - f(ei + ej) - f(-ei - ej)) / 4.0;
+      curvature(j, i) = curvature(i, j);
+    }
+  }
+  const SymmetricEigenSolver eigen(curvature);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
+}  // namespace
+
+Proposal ComputeProposal(const map::OccupancyGrid& grid, const scan_matching::ScanPoints& points,
+                         const scan_matching::EndpointModel& model,
+                         const SE2& optimum_world_T_robot, const PoseGaussian& motion_prior) {
+  const SE2& optimum = optimum_world_T_robot;
+  const Matrix3d prior_information = motion_prior.covariance.inverse();
+  const double log_prior_scale =
+      -0.5 * std::log(motion_prior.covariance.determinant()) - 1.5 * std::log(2 * std::numbers::pi);
+
+  // Steps of a cell make the unknowns comparable.
+  const Vector3d step(grid.resolution_m(), grid.resolution_m(), kAngularStep_rad);
+  const Matrix3d information =
+      Curvature([&](const Vector3d& q) {
+        return model.LogLikelihood(grid, points, Moved(optimum, step.cwiseProduct(q)));
+      }) +
+      Matrix3d(step.asDiagonal() * prior_information * step.asDiagonal());
+  const SymmetricEigenSolver eigen(information);
+  // Columns: one lattice step along each principal axis.
+  const Matrix3d lattice =
+      step.asDiagonal() * eigen.eigenvectors() *
+      (3.0 * eigen.eigenvalues().cwiseInverse()).cwiseSqrt().asDiagonal();
+
+  constexpr int kSamples = 27;
+  std::array<Vector3d, kSamples> offsets;
+  Eigen::Array<double, kSamples, 1> log_target;
+  for (int k = 0; k < kSamples; ++k) {
+    offsets[k] = lattice * Vector3d(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+    const SE2 sample = Moved(optimum, offsets[k]);
+    const Vector3d innovation = Offset(motion_prior.mean, sample);
+    log_target[k] = model.LogLikelihood(grid, points, sample) + log_prior_scale -
+                    0.5 * innovation.dot(prior_information * innovation);
+  }
+  const double max_log_target = log_target.maxCoeff();
+  const Eigen::Array<double, kSamples, 1> target = (log_target - max_log_target).exp();
+  const double sum = target.sum();
+
+  Vector3d mean = Vector3d::Zero();  // eq. (11), relative to the optimum
+  for (int k = 0; k < kSamples; ++k) mean += target[k] / sum * offsets[k];
+  Matrix3d covariance = Matrix3d::Zero();  // eq. (12)
+  for (int k = 0; k < kSamples; ++k) {
+    const Vector3d d = offsets[k] - mean;
+    covariance += target[k] / sum * d * d.transpose();
+  }
+  // A target much narrower than the lattice leaves a single sample with weight; the curvature then
+  // still bounds the variance from below.
+  covariance += 1e-3 / 3.0 * lattice * lattice.transpose();
+
+  Proposal proposal;
+  proposal.gaussian = {Moved(optimum, mean), covariance};
+  // The sum times the volume of a lattice cell: comparable between particles whose lattices differ.
+  proposal.log_eta = max_log_target + std::log(sum) + std::log(std::abs(lattice.determinant()));
+  return proposal;
+}
+
+SE2 Draw(const PoseGaussian& gaussian, backend::CounterRandom* random) {
+  const Matrix3d root = gaussian.covariance.llt().matrixL();
+  Vector3d normal;
+  for (double& value : normal) value = random->Gaussian();
+  return Moved(gaussian.mean, root * normal);
+}
+
+}  // namespace gmapping_spa::particle_filter

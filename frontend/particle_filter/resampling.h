@@ -1,0 +1,22 @@
+// Importance weights and selective resampling.
+#ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_RESAMPLING_H_
+#define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_RESAMPLING_H_
+
+#include <vector>
+
+namespace gmapping_spa::particle_filter {
+
+// exp(gain * log_weights), normalized to sum 1. A gain below 1 flattens the weights: the beams of a
+// scan are not as independent as their product takes them.
+std::vector<double> NormalizedWeights(const std::vector<double>& log_weights, double gain);
+
+// Eq. (17): N_eff = 1 / sum w^2, between 1 and the number of particles.
+double EffectiveSampleSize(const std::vector<double>& weights);
+
+// Systematic resampling: as many ancestors as weights, ascending, particle i floor(N w_i) or
+// ceil(N w_i) times. `uniform` in [0, 1) is the only random number.
+std::vector<int> SystematicResample(const std::vector<double>& weights, double uniform);
+
+}  // namespace gmapping_spa::particle_filter
+
+#endif  // GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_RESAMPLING_H_

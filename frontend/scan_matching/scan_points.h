@@ -1,0 +1,26 @@
+// The part of a scan that scan matching uses, prepared once per scan for all particles.
+#ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SCAN_POINTS_H_
+#define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SCAN_POINTS_H_
+
+#include <vector>
+
+#include "frontend/sensor/laser_scan.h"
+
+namespace gmapping_spa::scan_matching {
+
+// The end point of a beam that hit, in the robot frame, and the unit vector from there back to the
+// laser.
+struct ScanPoint {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double back_x = 0.0;
+  double back_y = 0.0;
+};
+using ScanPoints = std::vector<ScanPoint>;
+
+// All hits of a scan, in the order of its beams.
+ScanPoints MakeScanPoints(const sensor::LaserScan& scan);
+
+}  // namespace gmapping_spa::scan_matching
+
+#endif  // GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SCAN_POINTS_H_

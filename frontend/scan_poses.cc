@@ -1,0 +1,57 @@
+#include "frontend/scan_poses.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace gmapping_spa::frontend {
+
+using backend::SE2;
+
+void ScanPoses::Add(const sensor::LaserScan& scan, double motion, bool is_update) {
+  CHECK(is_update || !entries_.empty());
+  entries_.push_back({scan.index, scan.stamp_s, scan.odom_T_robot, motion, is_update});
+}
+
+backend::Trajectory ScanPoses::Fill(const std::vector<SE2>& world_T_updates) const {
+  std::vector<std::pair<std::int64_t, backend::StampedPose>> by_index;
+  std::size_t update = 0;
+  for (std::size_t begin = 0; begin < entries_.size(); ++update) {
+    CHECK_LT(update, world_T_updates.size());
+    std::size_t end = begin + 1;  // the next update, or the end of the log
+    while (end < entries_.size() && !entries_[end].is_update) ++end;
+
+    const SE2 world_T_odom = world_T_updates[update] * Inverse(entries_[begin].odom_T_robot);
+    SE2 correction{0, 0, 0};  // of the odometry's prediction, x, y and theta apart
+    double total_motion = 0.0;
+    if (end < entries_.size()) {
+      const SE2 predicted = world_T_odom * entries_[end].odom_T_robot;
+      const SE2& updated = world_T_updates[update + 1];
+      correction = {updated.x - predicted.x, updated.y - predicted.y,
+                    backend::WrapAngle(updated.theta - predicted.theta)};
+      for (std::size_t k = begin + 1; k <= end; ++k) total_motion += entries_[k].motion;
+    }
+    double motion = 0.0;
+    for (std::size_t k = begin; k < end; ++k) {
+      if (k > begin) motion += entries_[k].motion;
+      const double share = total_motion > 0.0 ? motion / total_motion : 0.0;
+      const SE2 predicted = world_T_odom * entries_[k].odom_T_robot;
+      by_index.emplace_back(
+          entries_[k].index,
+          backend::StampedPose{entries_[k].stamp_s,
+                               {predicted.x + share * correction.x,
+                                predicted.y + share * correction.y,
+                                backend::WrapAngle(predicted.theta + share * correction.theta)}});
+    }
+    begin = end;
+  }
+  CHECK_EQ(update, world_T_updates.size());
+  std::sort(by_index.begin(), by_index.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  backend::Trajectory trajectory;
+  for (const auto& [index, pose] : by_index) trajectory.push_back(pose);
+  return trajectory;
+}
+
+}  // namespace gmapping_spa::frontend

@@ -1,0 +1,39 @@
+// Poses of all scans, those between the updates of the filter included.
+#ifndef GMAPPING_SPA_FRONTEND_SCAN_POSES_H_
+#define GMAPPING_SPA_FRONTEND_SCAN_POSES_H_
+
+#include <cstdint>
+#include <vector>
+
+#include "backend/se2.h"
+#include "backend/trajectory_io.h"
+#include "frontend/sensor/laser_scan.h"
+
+namespace gmapping_spa::frontend {
+
+// Remembers the odometry of each scan and which scans the filter used. A scan in between gets its
+// pose from the odometry since the last update; what the next update finds wrong with that odometry
+// is spread over the scans in proportion to the motion up to them.
+class ScanPoses {
+ public:
+  // Scans in the order of time. `motion` is the amount of motion since the scan before, in any unit;
+  // `is_update` says whether the filter was updated with this scan. The first one must be.
+  void Add(const sensor::LaserScan& scan, double motion, bool is_update);
+
+  // Poses of all scans in the order of the input, given those at the updates.
+  backend::Trajectory Fill(const std::vector<backend::SE2>& world_T_updates) const;
+
+ private:
+  struct Entry {
+    std::int64_t index = 0;
+    double stamp_s = 0.0;
+    backend::SE2 odom_T_robot;
+    double motion = 0.0;
+    bool is_update = false;
+  };
+  std::vector<Entry> entries_;
+};
+
+}  // namespace gmapping_spa::frontend
+
+#endif  // GMAPPING_SPA_FRONTEND_SCAN_POSES_H_
