@@ -1,0 +1,181 @@
+#include "frontend/map/map_server_io.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+
+#include "frontend/map/yaml_file.h"
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_NO_STDIO
+#define STBI_ONLY_PNG
+#define STBI_ONLY_PNM
+#include <stb/stb_image.h>
+
+namespace gmapping_spa::map {
+namespace {
+
+constexpr std::uint8_t kFreePixel = 254, kOccupiedPixel = 0, kUnknownPixel = 205;
+
+// Shortest text that reads back as the same value, whatever the stream's settings.
+std::string Exactly(double value) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+[[noreturn]] void Fail(const std::string& path, const std::string& message) {
+  throw std::runtime_error(path + ": " + message);
+}
+
+std::string ReadBytes(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  if (!file || !(bytes << file.rdbuf())) Fail(path, "expected an image, found nothing to read");
+  return std::move(bytes).str();
+}
+
+// One number of a PGM or PPM header, after blanks and comments.
+long HeaderNumber(std::istream& in) {
+  while ((in >> std::ws) && in.peek() == '#') {
+    in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  }
+  long number = -1;
+  in >> number;
+  return number;
+}
+
+// stb takes a truncated PGM for a whole one, with pixels of whatever memory held, and ignores the
+// header's maximum value: both are checked here.
+void CheckPnm(const std::string& path, const std::string& bytes) {
+  std::istringstream in(bytes);
+  in.ignore(2);
+  const long width = HeaderNumber(in), height = HeaderNumber(in), maximum = HeaderNumber(in);
+  if (maximum != 255)
+    Fail(path, "expected an image of maximum value 255, found " + std::to_string(maximum));
+  const long channels = bytes[1] == '6' ? 3 : 1;
+  const long expected = width * height * channels;  // Both were limited before.
+  const long found = static_cast<long>(bytes.size()) - static_cast<long>(in.tellg()) - 1;
+  if (found < expected) {
+    Fail(path, "expected " + std::to_string(expected) + " bytes of pixels, found " +
+                   std::to_string(std::max(found, 0L)));
+  }
+}
+
+struct Image {
+  int width, height, channels;
+  std::unique_ptr<stbi_uc, void (*)(void*)> pixels;  // row 0 at the top
+};
+
+Image ReadImage(const std::string& path) {
+  const std::string bytes = ReadBytes(path);
+  if (bytes.size() > std::numeric_limits<int>::max()) Fail(path, "expected an image below 2 GB");
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int size = static_cast<int>(bytes.size());
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
+    Fail(path, "expected a PGM or PNG image, found something else");
+  }
+  if (width <= 0 || height <= 0 || static_cast<long>(width) * height > kMaxMapCells) {
+    Fail(path, "expected 1 to " + std::to_string(kMaxMapCells) + " pixels, found " +
+                   std::to_string(width) + " x " + std::to_string(height));
+  }
+  if (bytes[0] == 'P') CheckPnm(path, bytes);
+  // map_server sees grey with alpha as RGBA.
+  if (channels == 2) channels = 4;
+  Image image{
+      width,
+      height,
+      channels,
+      {stbi_load_from_memory(data, size, &width, &height, nullptr, channels), stbi_image_free}};
+  if (!image.pixels) {
+    Fail(path, std::string("expected an intact image, found: ") + stbi_failure_reason());
+  }
+  return image;
+}
+
+double ReadThreshold(const YamlFile& yaml, const std::string& key) {
+  const double threshold = yaml.Number(key);
+  if (threshold < 0.0 || threshold > 1.0) {
+    yaml.Fail(yaml.Get(key), "expected '" + key + "' from 0 to 1, found " + Exactly(threshold));
+  }
+  return threshold;
+}
+
+}  // namespace
+
+void WritePgm(const TrinaryMap& map, std::ostream& out) {
+  out << "P5\n" << map.width << ' ' << map.height << "\n255\n";
+  std::string line(map.width, '\0');
+  for (int row = map.height - 1; row >= 0; --row) {
+    for (int column = 0; column < map.width; ++column) {
+      const CellState state = map.at(column, row);
+      line[column] = static_cast<char>(state == CellState::kFree       ? kFreePixel
+                                       : state == CellState::kOccupied ? kOccupiedPixel
+                                                                       : kUnknownPixel);
+    }
+    out.write(line.data(), static_cast<std::streamsize>(line.size()));
+  }
+}
+
+void WriteMapYaml(const TrinaryMap& map, const std::string& image_name, std::ostream& out) {
+  out << "image: " << image_name << "\nresolution: " << Exactly(map.resolution_m) << "\norigin: ["
+      << Exactly(map.origin_x_m) << ", " << Exactly(map.origin_y_m)
+      << ", 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+}
+
+TrinaryMap ReadMap(const std::string& yaml_path) {
+  const YamlFile yaml(yaml_path);
+  TrinaryMap map;
+  map.resolution_m = yaml.Number("resolution");
+  if (map.resolution_m <= 0.0) {
+    yaml.Fail(yaml.Get("resolution"),
+              "expected a positive resolution, found " + Exactly(map.resolution_m));
+  }
+  const std::vector<double> origin = yaml.Numbers(yaml.Get("origin"), 3, "the origin [x, y, 0]");
+  if (origin[2] != 0.0) {
+    yaml.Fail(yaml.Get("origin"),
+              "expected a map that is not rotated (yaw 0), found yaw " + Exactly(origin[2]));
+  }
+  map.origin_x_m = origin[0];
+  map.origin_y_m = origin[1];
+  const double negate = yaml.Number("negate");
+  if (negate != 0.0 && negate != 1.0) {
+    yaml.Fail(yaml.Get("negate"), "expected 0 or 1 for 'negate', found " + Exactly(negate));
+  }
+  const double occupied_thresh = ReadThreshold(yaml, "occupied_thresh");
+  const double free_thresh = ReadThreshold(yaml, "free_thresh");
+  if (yaml.Has("mode") && yaml.String("mode") != "trinary") {
+    yaml.Fail(yaml.Get("mode"), "expected the mode trinary, found '" + yaml.String("mode") + "'");
+  }
+
+  const std::filesystem::path image_path =
+      std::filesystem::path(yaml_path).parent_path() / yaml.String("image");
+  const Image image = ReadImage(image_path.string());
+  map.width = image.width;
+  map.height = image.height;
+  map.cells.resize(static_cast<std::size_t>(map.width) * map.height);
+  const stbi_uc* pixel = image.pixels.get();
+  for (int row = map.height - 1; row >= 0; --row) {
+    for (int column = 0; column < map.width; ++column) {
+      // Alpha counts as a channel in trinary mode: odd, but what map_server does.
+      double mean = 0.0;
+      for (int channel = 0; channel < image.channels; ++channel) mean += *pixel++;
+      mean /= image.channels;
+      const double darkness = (negate == 1.0 ? mean : 255.0 - mean) / 255.0;
+      map.at(column, row) = darkness > occupied_thresh ? CellState::kOccupied
+                            : darkness < free_thresh   ? CellState::kFree
+                                                       : CellState::kUnknown;
+    }
+  }
+  return map;
+}
+
+}  // namespace gmapping_spa::map
