@@ -17,12 +17,14 @@ struct StampedPose {
 };
 using Trajectory = std::vector<StampedPose>;
 
-// Reads a trajectory in file order, skipping blank lines and '#' comments. `name` is for messages.
-// Throws std::runtime_error "<name>:<line>: <what was expected>" on anything else.
+// Reads a trajectory in file order, skipping blank lines and '#' comments. Of the position x and y
+// are kept, of the rotation the yaw (roll and pitch are applied before it). `name` is for messages.
+// Throws std::runtime_error "<name>:<line>: expected <what>, found <what>" on another number of
+// columns, a number that is not finite, or a quaternion whose norm is off 1 by more than 0.01.
 Trajectory ReadTum(std::istream& in, const std::string& name);
 
-// Writes stamps with 6 and poses with 17 significant digits where needed to read back the same
-// value.
+// Writes every number with as many digits as it takes to read back the same value, angles in
+// [-pi, pi] included. Throws std::invalid_argument when a stamp or pose is not finite.
 void WriteTum(const Trajectory& trajectory, std::ostream& out);
 
 }  // namespace gmapping_spa::backend
