@@ -9,9 +9,9 @@
 
 namespace gmapping_spa::apps {
 
-// Opens `path` for reading, unpacking it on the way when its first bytes are those of gzip. Throws
-// std::runtime_error with one line when it is missing, a directory or unreadable. The stream throws
-// std::ios_base::failure-compatible errors (or boost::iostreams ones, derived from it) when the
+// Opens `path` for reading, unpacking it on the way when its first bytes are those of gzip (of
+// several members too). Throws std::runtime_error with one line when it is missing, a directory or
+// unreadable. Reading from the stream (its exceptions are on for badbit) throws the like when the
 // file turns out truncated or corrupt, so that readers never take a broken file for a short one.
 std::unique_ptr<std::istream> OpenInput(const std::string& path);
 
