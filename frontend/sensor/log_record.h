@@ -1,0 +1,51 @@
+// What a log format is reduced to before scans are put in order: scans and odometry readings, in
+// the order of the file.
+#ifndef GMAPPING_SPA_FRONTEND_SENSOR_LOG_RECORD_H_
+#define GMAPPING_SPA_FRONTEND_SENSOR_LOG_RECORD_H_
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include "backend/se2.h"
+#include "frontend/sensor/laser_scan.h"
+#include "frontend/sensor/log_reader.h"
+
+namespace gmapping_spa::sensor {
+
+struct ScanRecord {
+  LaserScan scan;             // its index is given later, its odometry too if it has none
+  bool has_odometry = false;  // whether the record came with scan.odom_T_robot
+  std::int64_t line = 0;      // in the file, from 1
+};
+
+struct OdometryRecord {
+  double stamp_s = 0.0;
+  backend::SE2 odom_T_robot;
+};
+
+using LogRecord = std::variant<ScanRecord, OdometryRecord>;
+
+class RecordReader {
+ public:
+  virtual ~RecordReader() = default;
+
+  // The next record in the order of the file, or nothing at its end. Stamps and poses are finite,
+  // and a scan has at least one beam. Throws std::runtime_error with one line when the log cannot
+  // be read on, and at the end of a log without any scan.
+  virtual std::optional<LogRecord> Next() = 0;
+
+  virtual LogCounts counts() const = 0;
+};
+
+// "<name>:<line>: <message>"
+inline std::runtime_error LogError(const std::string& name, std::int64_t line,
+                                   const std::string& message) {
+  return std::runtime_error(name + ":" + std::to_string(line) + ": " + message);
+}
+
+}  // namespace gmapping_spa::sensor
+
+#endif  // GMAPPING_SPA_FRONTEND_SENSOR_LOG_RECORD_H_
