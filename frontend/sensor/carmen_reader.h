@@ -49,7 +49,7 @@ class CarmenReader : public RecordReader {
   LogOptions options_;
   backend::SE2 robot_T_front_laser_;  // from PARAM records
 
-  std::vector<char> buffer_;
+  std::unique_ptr<char[]> buffer_;  // of the line
   std::string_view line_;
   bool line_is_terminated_ = true;
   bool line_is_too_long_ = false;

@@ -33,7 +33,7 @@ class FakeRecordReader : public RecordReader {
   std::size_t position_ = 0;
 };
 
-inline ScanRecord ScanWithOdometry(double stamp_s, std::vector<double> ranges_m = {1.0},
+inline ScanRecord ScanWithOdometry(double stamp_s, const std::vector<double>& ranges_m = {1.0},
                                    const backend::SE2& odom_T_robot = {}) {
   ScanRecord record;
   record.has_odometry = true;
@@ -45,8 +45,8 @@ inline ScanRecord ScanWithOdometry(double stamp_s, std::vector<double> ranges_m 
   return record;
 }
 
-inline ScanRecord ScanWithoutOdometry(double stamp_s, std::vector<double> ranges_m = {1.0}) {
-  ScanRecord record = ScanWithOdometry(stamp_s, std::move(ranges_m));
+inline ScanRecord ScanWithoutOdometry(double stamp_s, const std::vector<double>& ranges_m = {1.0}) {
+  ScanRecord record = ScanWithOdometry(stamp_s, ranges_m);
   record.has_odometry = false;
   return record;
 }

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/apps/input_file.h"
@@ -143,6 +144,36 @@ TEST(OpenCarmenLog, RandomBytesAreNoLog) {
   const std::unique_ptr<LogReader> reader = Open(bytes);
   EXPECT_THAT([&] { reader->Next(); },
               ThrowsMessage<std::runtime_error>(HasSubstr("log.clf: no laser scans found")));
+}
+
+// Gives a whole log, then fails as a truncated gzip file does.
+class FailingBuffer : public std::stringbuf {
+ public:
+  FailingBuffer() : std::stringbuf(kLog) {}
+
+ protected:
+  int_type underflow() override {
+    const int_type next = std::stringbuf::underflow();
+    if (next == traits_type::eof()) throw std::runtime_error("log.clf: truncated");
+    return next;
+  }
+};
+
+TEST(OpenCarmenLog, ReadErrorIsNotTakenForTheEndOfTheLog) {
+  for (const bool stream_throws : {false, true}) {
+    FailingBuffer buffer;
+    auto in = std::make_unique<std::istream>(&buffer);
+    if (stream_throws) in->exceptions(std::ios::badbit);
+    const std::unique_ptr<LogReader> reader = OpenCarmenLog(std::move(in), "log.clf", {});
+    EXPECT_THAT(
+        [&] {
+          while (reader->Next()) {
+          }
+        },
+        ThrowsMessage<std::runtime_error>(stream_throws
+                                              ? "log.clf: truncated"
+                                              : "log.clf:8: expected a line, found a read error"));
+  }
 }
 
 TEST(OpenCarmenLog, OptionsOutOfRangeAreRefused) {

@@ -50,6 +50,7 @@ TEST(TimeOrderedReader, DisorderWithinTheWindowIsMendedAndCounted) {
 
 TEST(TimeOrderedReader, HoldsNoMoreThanTheWindow) {
   std::vector<LogRecord> records;
+  records.reserve(100);
   for (int i = 0; i < 100; ++i) records.push_back(ScanWithOdometry(i));
   auto source = std::make_unique<FakeRecordReader>(std::move(records));
   const FakeRecordReader& progress = *source;
@@ -173,6 +174,7 @@ TEST(TimeOrderedReader, DifferentScansOfOneStampAreBothDelivered) {
 
 TEST(TimeOrderedReader, StampsThatStandStillDoNotFillTheMemory) {
   std::vector<LogRecord> records;
+  records.reserve(4098);
   for (int i = 0; i < 4098; ++i) records.push_back(ScanWithOdometry(0, {1.0 + i}));
   auto source = std::make_unique<FakeRecordReader>(std::move(records));
   const FakeRecordReader& progress = *source;
