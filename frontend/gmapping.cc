@@ -29,8 +29,8 @@ Eigen::Matrix3d InformationInFrameOf(const SE2& world_T_i, const Eigen::Matrix3d
 
 Gmapping::Gmapping(const Options& options,
                    std::shared_ptr<const scan_matching::ScanMatcher> matcher,
-                   const scan_matching::EndpointModel& model, backend::PoseGraphSink* sink)
-    : options_(options), filter_(options.filter, std::move(matcher), model), sink_(sink) {}
+                   backend::PoseGraphSink* sink)
+    : options_(options), filter_(options.filter, std::move(matcher)), sink_(sink) {}
 
 void Gmapping::AddScan(const sensor::LaserScan& scan) {
   const bool first = counts_.scans++ == 0;

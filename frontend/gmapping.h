@@ -35,7 +35,7 @@ class Gmapping {
 
   // `sink` gets a node for every update and an edge from each to the next; it must outlive this.
   Gmapping(const Options& options, std::shared_ptr<const scan_matching::ScanMatcher> matcher,
-           const scan_matching::EndpointModel& model, backend::PoseGraphSink* sink);
+           backend::PoseGraphSink* sink);
 
   // Throws std::runtime_error when the odometry leads out of the area that a map can cover.
   void AddScan(const sensor::LaserScan& scan);

@@ -35,10 +35,9 @@ struct Slam {
 
   Slam()
       : gmapping(GmappingOptionsFromFlags(),
-                 std::make_shared<scan_matching::HillClimbing>(
-                     HillClimbingOptionsFromFlags(),
-                     scan_matching::EndpointModel(EndpointModelOptionsFromFlags())),
-                 scan_matching::EndpointModel(EndpointModelOptionsFromFlags()), &graph) {}
+                 std::make_shared<scan_matching::HillClimbing>(HillClimbingOptionsFromFlags(),
+                                                               EndpointOptionsFromFlags()),
+                 &graph) {}
 };
 
 std::int64_t CountLines(const std::string& path) {

@@ -90,6 +90,7 @@ frontend::Gmapping::Options GmappingOptionsFromFlags() {
   filter.grid.resolution_m = Positive("resolution_m", FLAGS_resolution_m);
   filter.grid.full_threshold = NotNegative("full_threshold", FLAGS_full_threshold);
   filter.registration.no_return_clears = FLAGS_no_return_clears;
+  filter.endpoint = EndpointOptionsFromFlags();
   filter.motion = {
       .linear_per_linear = NotNegative("motion_linear_per_linear", FLAGS_motion_linear_per_linear),
       .linear_per_angular =
@@ -112,7 +113,7 @@ scan_matching::HillClimbing::Options HillClimbingOptionsFromFlags() {
           .min_score = NotNegative("match_min_score", FLAGS_match_min_score)};
 }
 
-scan_matching::EndpointModel::Options EndpointModelOptionsFromFlags() {
+scan_matching::EndpointModel::Options EndpointOptionsFromFlags() {
   return {.score_sigma_m = Positive("score_sigma_m", FLAGS_score_sigma_m),
           .likelihood_sigma_m = Positive("likelihood_sigma_m", FLAGS_likelihood_sigma_m),
           .unmatched_distance_m = Positive("unmatched_distance_m", FLAGS_unmatched_distance_m)};

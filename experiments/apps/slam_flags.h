@@ -11,7 +11,7 @@ namespace gmapping_spa::apps {
 // Each throws std::runtime_error with one line when a flag makes no sense.
 frontend::Gmapping::Options GmappingOptionsFromFlags();
 scan_matching::HillClimbing::Options HillClimbingOptionsFromFlags();
-scan_matching::EndpointModel::Options EndpointModelOptionsFromFlags();
+scan_matching::EndpointModel::Options EndpointOptionsFromFlags();
 double OccupiedThresholdFromFlags();
 
 }  // namespace gmapping_spa::apps

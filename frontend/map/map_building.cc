@@ -34,8 +34,8 @@ TrinaryMap BuildTrinaryMap(const OccupancyGrid& grid, double occupied_threshold)
     for (int column = 0; column < map.width; ++column) {
       const Cell& cell = grid.cell({extent.min.x + column, extent.min.y + row});
       if (cell.visits == 0) continue;
-      map.at(column, row) = cell.hits > occupied_threshold * cell.visits ? CellState::kOccupied
-                                                                         : CellState::kFree;
+      map.at(column, row) =
+          cell.hits > occupied_threshold * cell.visits ? CellState::kOccupied : CellState::kFree;
     }
   }
   return map;

@@ -3,6 +3,7 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace gmapping_spa::map {
@@ -13,12 +14,33 @@ OccupancyGrid::OccupancyGrid(const Options& options) : options_(options) {
   CHECK_GT(options.resolution_m, 0.0);
 }
 
-void OccupancyGrid::AddPass(CellIndex index) {
-  Tile& tile = WritableTile(index.x >> Tile::kShift, index.y >> Tile::kShift);
-  const int x = index.x & Tile::kMask, y = index.y & Tile::kMask;
-  Cell& cell = tile.cell(x, y);
-  cell.AddPass();
-  if (cell.hits > 0) UpdateFull(tile, x, y);
+void OccupancyGrid::AddPasses(CellIndex from, CellIndex to) {
+  const int dx = std::abs(to.x - from.x), dy = std::abs(to.y - from.y);
+  const int step_x = from.x < to.x ? 1 : -1, step_y = from.y < to.y ? 1 : -1;
+  int error = dx - dy;
+  Tile* tile = nullptr;  // that holds `at`; a line stays in one for many cells
+  CellIndex tile_index;
+  for (CellIndex at = from; at != to;) {
+    const CellIndex needed{at.x >> Tile::kShift, at.y >> Tile::kShift};
+    if (!tile || needed != tile_index) {
+      tile = &WritableTile(needed.x, needed.y);
+      tile_index = needed;
+    }
+    const int x = at.x & Tile::kMask, y = at.y & Tile::kMask;
+    Cell& cell = tile->cell(x, y);
+    cell.AddPass();
+    if (cell.hits > 0) UpdateFull(*tile, x, y);
+
+    const int twice = 2 * error;
+    if (twice > -dy) {
+      error -= dy;
+      at.x += step_x;
+    }
+    if (twice < dx) {
+      error += dx;
+      at.y += step_y;
+    }
+  }
 }
 
 void OccupancyGrid::AddHit(double x_cells, double y_cells) {
@@ -32,27 +54,12 @@ void OccupancyGrid::AddHit(double x_cells, double y_cells) {
 
 void OccupancyGrid::UpdateFull(Tile& tile, int x, int y) const {
   const Cell& cell = tile.cell(x, y);
-  const std::uint32_t bit = 1u << x;
+  const auto bit = static_cast<std::uint16_t>(1u << x);
   if (cell.hits > options_.full_threshold * cell.visits) {
     tile.full[y] |= bit;
   } else {
-    tile.full[y] &= ~bit;
+    tile.full[y] &= static_cast<std::uint16_t>(~bit);
   }
-}
-
-unsigned OccupancyGrid::FullNeighbourhood(CellIndex index) const {
-  const int x = index.x & Tile::kMask, y = index.y & Tile::kMask;
-  if (x > 0 && x < Tile::kMask && y > 0 && y < Tile::kMask) {
-    const Tile* tile = FindTile(index.x >> Tile::kShift, index.y >> Tile::kShift);
-    if (!tile) return 0;
-    const auto three = [&](int row) { return tile->full[row] >> (x - 1) & 7u; };
-    return three(y - 1) | three(y) << 3 | three(y + 1) << 6;
-  }
-  unsigned mask = 0;
-  for (int k = 0; k < 9; ++k) {
-    if (IsFull({index.x + k % 3 - 1, index.y + k / 3 - 1})) mask |= 1u << k;
-  }
-  return mask;
 }
 
 Tile& OccupancyGrid::WritableTile(int tile_x, int tile_y) {

@@ -42,8 +42,9 @@ class OccupancyGrid {
 
   double resolution_m() const { return options_.resolution_m; }
 
-  // Counts a beam that passed through the cell.
-  void AddPass(CellIndex index);
+  // Counts a beam that passed through the cells of the Bresenham line from `from` up to but without
+  // `to`.
+  void AddPasses(CellIndex from, CellIndex to);
 
   // Counts a beam that ended at (x, y), given in cells.
   void AddHit(double x_cells, double y_cells);
@@ -54,14 +55,18 @@ class OccupancyGrid {
     return tile ? tile->cell(index.x & Tile::kMask, index.y & Tile::kMask) : kEmptyCell;
   }
 
-  bool IsFull(CellIndex index) const {
-    const Tile* tile = FindTile(index.x >> Tile::kShift, index.y >> Tile::kShift);
-    return tile && (tile->full[index.y & Tile::kMask] >> (index.x & Tile::kMask) & 1u);
+  // Whether the eight cells (x, y) ... (x + 7, y) are full, from the lowest bit up.
+  std::uint32_t FullBits(CellIndex index) const {
+    const int tile_x = index.x >> Tile::kShift, tile_y = index.y >> Tile::kShift;
+    const int shift = index.x & Tile::kMask, row = index.y & Tile::kMask;
+    std::uint32_t bits = 0;
+    if (const Tile* tile = FindTile(tile_x, tile_y)) bits = tile->full[row] >> shift;
+    if (shift > Tile::kSize - 8) {
+      const Tile* next = FindTile(tile_x + 1, tile_y);
+      if (next) bits |= static_cast<std::uint32_t>(next->full[row]) << (Tile::kSize - shift);
+    }
+    return bits & 0xff;
   }
-
-  // The 3 x 3 neighbourhood of a cell: bit 3 * (dy + 1) + (dx + 1) says whether the cell at
-  // (x + dx, y + dy) is full.
-  unsigned FullNeighbourhood(CellIndex index) const;
 
   // Smallest rectangle of whole tiles that holds every known cell: [min, max) in cells. Empty
   // (min == max) when nothing is known.

@@ -1,4 +1,5 @@
-// The storage unit of an occupancy grid: a square block of cells, shared between grids until written.
+// The storage unit of an occupancy grid: a square block of cells, shared between grids until
+// written.
 #ifndef GMAPPING_SPA_FRONTEND_MAP_TILE_H_
 #define GMAPPING_SPA_FRONTEND_MAP_TILE_H_
 
@@ -48,17 +49,17 @@ struct Cell {
 };
 static_assert(sizeof(Cell) == 8, "a particle's memory is mostly cells");
 
-// 32 x 32 cells. The reference count makes copy on write cheap; its acquire load in use_count() is
+// 16 x 16 cells. The reference count makes copy on write cheap; its acquire load in use_count() is
 // what makes "I am the only owner" safe to act upon while other threads drop their references.
 struct Tile : boost::intrusive_ref_counter<Tile, boost::thread_safe_counter> {
-  static constexpr int kShift = 5;
+  static constexpr int kShift = 4;
   static constexpr int kSize = 1 << kShift;
   static constexpr int kMask = kSize - 1;
 
   std::array<Cell, kSize * kSize> cells{};
   // Bit x of full[y]: the cell counts as an obstacle for scan matching. Redundant with the cells,
   // kept because a matcher asks nine cells per beam and nearly all of them are empty.
-  std::array<std::uint32_t, kSize> full{};
+  std::array<std::uint16_t, kSize> full{};
 
   Cell& cell(int x, int y) { return cells[y * kSize + x]; }
   const Cell& cell(int x, int y) const { return cells[y * kSize + x]; }

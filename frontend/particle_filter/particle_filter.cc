@@ -37,11 +37,9 @@ class Stopwatch {
 }  // namespace
 
 ParticleFilter::ParticleFilter(const Options& options,
-                               std::shared_ptr<const scan_matching::ScanMatcher> matcher,
-                               const scan_matching::EndpointModel& model)
+                               std::shared_ptr<const scan_matching::ScanMatcher> matcher)
     : options_(options),
       matcher_(std::move(matcher)),
-      model_(model),
       motion_model_(options.motion),
       for_each_particle_(std::min(options.threads, options.particles)) {
   CHECK_GE(options.particles, 1);
@@ -94,17 +92,18 @@ void ParticleFilter::Move(const scan_matching::ScanPoints& points, const SE2& od
                            motion_model_.Covariance(previous, odometry_increment)};
   const scan_matching::MatchResult match =
       matcher_->Match(particle.map, points, prior.mean);  // eq. (8)
-  double log_factor = 0.0;                                // of the weight, eqs. (7) and (15)
+  scan_matching::EndpointModel model(options_.endpoint, &particle.map, &points);
+  double log_factor = 0.0;  // of the weight, eqs. (7) and (15)
   if (match.success) {
     const Proposal proposal =
-        ComputeProposal(particle.map, points, model_, match.world_T_robot, prior);
+        ComputeProposal(&model, match.world_T_robot, prior);
     particle.world_T_robot = Draw(proposal.gaussian, &random);  // eq. (13)
     particle.step = {previous, true, proposal.gaussian.covariance};
     log_factor = proposal.log_eta;
   } else {
     particle.world_T_robot = motion_model_.Sample(previous, odometry_increment, &random);
     particle.step = {previous, false, prior.covariance};
-    log_factor = model_.LogLikelihood(particle.map, points, particle.world_T_robot);  // eq. (10)
+    log_factor = model.LogLikelihood(particle.world_T_robot);  // eq. (10)
   }
   particle.log_weight += log_factor;
   particle.log_likelihood += log_factor;

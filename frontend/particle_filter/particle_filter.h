@@ -33,6 +33,7 @@ class ParticleFilter {
     MotionModel::Options motion;
     map::OccupancyGrid::Options grid;
     map::RegistrationOptions registration;
+    scan_matching::EndpointModel::Options endpoint;
   };
 
   struct Update {
@@ -47,8 +48,7 @@ class ParticleFilter {
     double resampling_s = 0.0;
   };
 
-  ParticleFilter(const Options& options, std::shared_ptr<const scan_matching::ScanMatcher> matcher,
-                 const scan_matching::EndpointModel& model);
+  ParticleFilter(const Options& options, std::shared_ptr<const scan_matching::ScanMatcher> matcher);
 
   // Starts all particles at `world_T_robot` with a map of this scan.
   void Start(const sensor::LaserScan& scan, const backend::SE2& world_T_robot);
@@ -74,7 +74,6 @@ class ParticleFilter {
 
   Options options_;
   std::shared_ptr<const scan_matching::ScanMatcher> matcher_;
-  scan_matching::EndpointModel model_;
   MotionModel motion_model_;
   ParallelFor for_each_particle_;
   std::vector<Particle> particles_;

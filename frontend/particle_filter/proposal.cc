@@ -47,19 +47,18 @@ Matrix3d Curvature(const Function& f) {
 
 }  // namespace
 
-Proposal ComputeProposal(const map::OccupancyGrid& grid, const scan_matching::ScanPoints& points,
-                         const scan_matching::EndpointModel& model,
-                         const SE2& optimum_world_T_robot, const PoseGaussian& motion_prior) {
+Proposal ComputeProposal(scan_matching::EndpointModel* model, const SE2& optimum_world_T_robot,
+                         const PoseGaussian& motion_prior) {
   const SE2& optimum = optimum_world_T_robot;
   const Matrix3d prior_information = motion_prior.covariance.inverse();
   const double log_prior_scale =
       -0.5 * std::log(motion_prior.covariance.determinant()) - 1.5 * std::log(2 * std::numbers::pi);
 
   // Steps of a cell make the unknowns comparable.
-  const Vector3d step(grid.resolution_m(), grid.resolution_m(), kAngularStep_rad);
+  const Vector3d step(model->resolution_m(), model->resolution_m(), kAngularStep_rad);
   const Matrix3d information =
       Curvature([&](const Vector3d& q) {
-        return model.LogLikelihood(grid, points, Moved(optimum, step.cwiseProduct(q)));
+        return model->LogLikelihood(Moved(optimum, step.cwiseProduct(q)));
       }) +
       Matrix3d(step.asDiagonal() * prior_information * step.asDiagonal());
   const SymmetricEigenSolver eigen(information);
@@ -75,7 +74,7 @@ Proposal ComputeProposal(const map::OccupancyGrid& grid, const scan_matching::Sc
     offsets[k] = lattice * Vector3d(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
     const SE2 sample = Moved(optimum, offsets[k]);
     const Vector3d innovation = Offset(motion_prior.mean, sample);
-    log_target[k] = model.LogLikelihood(grid, points, sample) + log_prior_scale -
+    log_target[k] = model->LogLikelihood(sample) + log_prior_scale -
                     0.5 * innovation.dot(prior_information * innovation);
   }
   const double max_log_target = log_target.maxCoeff();

@@ -6,8 +6,8 @@ namespace gmapping_spa::scan_matching {
 
 using backend::SE2;
 
-HillClimbing::HillClimbing(const Options& options, const EndpointModel& model)
-    : options_(options), model_(model) {
+HillClimbing::HillClimbing(const Options& options, const EndpointModel::Options& model_options)
+    : options_(options), model_options_(model_options) {
   CHECK_GT(options.linear_step_m, 0.0);
   CHECK_GT(options.angular_step_rad, 0.0);
   CHECK_GE(options.halvings, 0);
@@ -15,8 +15,9 @@ HillClimbing::HillClimbing(const Options& options, const EndpointModel& model)
 
 MatchResult HillClimbing::Match(const map::OccupancyGrid& grid, const ScanPoints& points,
                                 const SE2& initial_world_T_robot) const {
+  EndpointModel model(model_options_, &grid, &points);
   SE2 best = initial_world_T_robot;
-  double best_score = model_.Score(grid, points, best);
+  double best_score = model.Score(best);
   double linear = options_.linear_step_m, angular = options_.angular_step_rad;
   for (int halving = 0; halving <= options_.halvings; ++halving) {
     for (bool moved = true; moved;) {
@@ -26,7 +27,7 @@ MatchResult HillClimbing::Match(const map::OccupancyGrid& grid, const ScanPoints
       for (const SE2& move : {SE2{linear, 0, 0}, SE2{-linear, 0, 0}, SE2{0, linear, 0},
                               SE2{0, -linear, 0}, SE2{0, 0, angular}, SE2{0, 0, -angular}}) {
         const SE2 candidate = from * move;
-        const double score = model_.Score(grid, points, candidate);
+        const double score = model.Score(candidate, best_score);
         if (score > best_score) {
           best = candidate;
           best_score = score;

@@ -16,14 +16,14 @@ class HillClimbing : public ScanMatcher {
     double min_score = 0.2;          // a match below this is a failure
   };
 
-  HillClimbing(const Options& options, const EndpointModel& model);
+  HillClimbing(const Options& options, const EndpointModel::Options& model_options);
 
   MatchResult Match(const map::OccupancyGrid& grid, const ScanPoints& points,
                     const backend::SE2& initial_world_T_robot) const override;
 
  private:
   Options options_;
-  EndpointModel model_;
+  EndpointModel::Options model_options_;
 };
 
 }  // namespace gmapping_spa::scan_matching
