@@ -1,0 +1,101 @@
+#include "experiments/apps/app.h"
+
+#include <gflags/gflags.h>
+#include <glog/logging.h>
+
+#include <atomic>
+#include <csignal>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "experiments/apps/flag_files.h"
+
+DECLARE_bool(help);
+DECLARE_bool(helpshort);
+DECLARE_bool(helpfull);
+
+namespace gmapping_spa::apps {
+namespace {
+
+std::atomic<bool> interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not take a lock");
+
+void OnSignal(int /*signal*/) { interrupted = true; }
+
+void InstallSignalHandlers() {
+  struct sigaction action = {};
+  action.sa_handler = OnSignal;
+  sigemptyset(&action.sa_mask);
+  // A second Ctrl-C ends a program at once that does not get to ThrowIfInterrupted.
+  action.sa_flags = SA_RESETHAND;
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+// Prints the flags of the program without those of gflags and glog: the ones defined next to this
+// file.
+void PrintHelp(const std::string& program) {
+  const std::filesystem::path apps_folder = std::filesystem::path(__FILE__).parent_path();
+  std::cout << program << ": " << gflags::ProgramUsage() << "\n\nFlags:\n";
+  std::vector<gflags::CommandLineFlagInfo> flags;
+  gflags::GetAllFlags(&flags);
+  for (const gflags::CommandLineFlagInfo& flag : flags) {
+    if (std::filesystem::path(flag.filename).parent_path() == apps_folder) {
+      std::cout << gflags::DescribeOneFlag(flag);
+    }
+  }
+  std::cout << "\nFlags can also be read from a file with one --flag=value a line: "
+               "--flagfile=FILE.\n--helpfull prints the flags of the libraries, too.\n";
+}
+
+}  // namespace
+
+int RunApp(int argc, char** argv, const char* usage, const std::function<void()>& run) {
+  const std::string program = std::filesystem::path(argv[0]).filename();
+  gflags::SetUsageMessage(usage);
+  gflags::SetVersionString(GMAPPING_SPA_VERSION);
+  // Defaults, so that flags still override them.
+  gflags::SetCommandLineOptionWithMode("logtostderr", "true", gflags::SET_FLAGS_DEFAULT);
+  gflags::SetCommandLineOptionWithMode("minloglevel", "1", gflags::SET_FLAGS_DEFAULT);
+  gflags::ParseCommandLineNonHelpFlags(&argc, &argv, /*remove_flags=*/true);
+  // gflags' own --help lists the flags of all libraries and ends with status 1.
+  if (FLAGS_help || FLAGS_helpshort) {
+    PrintHelp(program);
+    return 0;
+  }
+  if (FLAGS_helpfull) {
+    gflags::ShowUsageWithFlags(argv[0]);
+    return 0;
+  }
+  gflags::HandleCommandLineHelpFlags();
+  google::InitGoogleLogging(argv[0]);
+  InstallSignalHandlers();
+  int status = 0;
+  try {
+    if (argc > 1) {
+      throw std::runtime_error("expected flags only, found '" + std::string(argv[1]) +
+                               "' (--help lists the flags)");
+    }
+    CheckFlagFiles(gflags::GetArgvs());
+    run();
+    // What was printed is complete only when it has reached the device.
+    if (!std::cout.flush()) throw std::runtime_error("cannot write to the standard output");
+  } catch (const Interrupted&) {
+    std::cerr << program << ": interrupted\n";
+    status = 130;
+  } catch (const std::exception& error) {
+    std::cerr << program << ": error: " << error.what() << '\n';
+    status = 1;
+  }
+  google::ShutdownGoogleLogging();
+  return status;
+}
+
+void ThrowIfInterrupted() {
+  if (interrupted) throw Interrupted("interrupted by a signal");
+}
+
+}  // namespace gmapping_spa::apps

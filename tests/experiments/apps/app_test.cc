@@ -1,0 +1,113 @@
+#include "experiments/apps/app.h"
+
+#include <gflags/gflags.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/temporary_folder.h"
+
+DEFINE_int32(particles, 30, "A flag of this program.");
+DEFINE_bool(verbose_map, true, "A switch of this program.");
+
+namespace gmapping_spa::apps {
+namespace {
+
+// Ends this process as an executable would whose main is RunApp. For death tests, since flags and
+// logging start once in a process.
+[[noreturn]] void Main(std::vector<std::string> words, const std::function<void()>& run) {
+  words.insert(words.begin(), "/some/where/tool");
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  std::exit(RunApp(static_cast<int>(words.size()), argv.data(), "tests itself.", run));
+}
+
+void Nothing() {}
+
+using testing::ExitedWithCode;
+
+TEST(RunApp, SucceedsSilently) { EXPECT_EXIT(Main({}, Nothing), ExitedWithCode(0), "^$"); }
+
+TEST(RunApp, ReportsAnExceptionOnOneLine) {
+  EXPECT_EXIT(Main({}, [] { throw std::runtime_error("log.clf:3: broken"); }), ExitedWithCode(1),
+              "^tool: error: log.clf:3: broken\n$");
+}
+
+TEST(RunApp, ParsesFlagsBeforeItRuns) {
+  EXPECT_EXIT(Main({"--particles=7", "--noverbose_map"},
+                   [] { std::exit(FLAGS_particles + (FLAGS_verbose_map ? 100 : 0)); }),
+              ExitedWithCode(7), "^$");
+}
+
+TEST(RunApp, RefusesWordsLeftOver) {
+  EXPECT_EXIT(Main({"--particles=7", "log.clf"}, [] { std::exit(0); }), ExitedWithCode(1),
+              "^tool: error: expected flags only, found 'log.clf'[^\n]*\n$");
+}
+
+TEST(RunApp, RefusesUnknownFlagsAndBadValues) {
+  EXPECT_EXIT(Main({"--particels=7"}, Nothing), ExitedWithCode(1),
+              "^ERROR: unknown command line flag 'particels'\n$");
+  EXPECT_EXIT(Main({"--particles=many"}, Nothing), ExitedWithCode(1),
+              "^ERROR: [^\n]*many[^\n]*\n$");
+}
+
+TEST(RunApp, BadLoggingFlagsDoNotStopIt) {
+  EXPECT_EXIT(Main({"--log_dir=/nowhere/at/all", "--v=-3", "--minloglevel=99"}, Nothing),
+              ExitedWithCode(0), "^$");
+}
+
+TEST(RunApp, TakesFlagsFromAFlagFile) {
+  const TemporaryFolder folder;
+  const std::string inner = folder.FileWith("inner.flags", "--noverbose_map\n");
+  const std::string outer =
+      folder.FileWith("good.flags", "# comment\n\n  -particles=7\n--flagfile=" + inner + "\n");
+  EXPECT_EXIT(Main({"--flagfile=" + outer},
+                   [] { std::exit(FLAGS_particles + (FLAGS_verbose_map ? 100 : 0)); }),
+              ExitedWithCode(7), "^$");
+}
+
+TEST(RunApp, RefusesMistakesInFlagFiles) {
+  const TemporaryFolder folder;
+  for (const std::string line : {"--particels=7", "particles=7", "--particles", "---particles=7",
+                                 "--noparticles", "--noverbose_map=1"}) {
+    const std::string path = folder.FileWith("bad.flags", "--particles=8\n" + line + "\n");
+    const std::string error = "^tool: error: [^\n]*bad.flags:2: expected [^\n]*'" + line + "'\n$";
+    EXPECT_EXIT(Main({"--flagfile=" + path}, Nothing), ExitedWithCode(1), error);
+    EXPECT_EXIT(Main({"-flagfile", path}, Nothing), ExitedWithCode(1), error);
+    const std::string outer = folder.FileWith("outer.flags", "--flagfile=" + path + "\n");
+    EXPECT_EXIT(Main({"--flagfile=" + outer}, Nothing), ExitedWithCode(1), error);
+  }
+}
+
+TEST(RunApp, AMissingFlagFileIsAnError) {
+  EXPECT_EXIT(Main({"--flagfile=/nowhere/at.all"}, Nothing), ExitedWithCode(1), "/nowhere/at.all");
+}
+
+TEST(RunApp, SignalsInterruptAtTheNextItem) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    EXPECT_EXIT(Main({},
+                     [signal] {
+                       ThrowIfInterrupted();
+                       std::raise(signal);
+                       ThrowIfInterrupted();
+                     }),
+                ExitedWithCode(130), "^tool: interrupted\n$");
+  }
+}
+
+TEST(RunApp, ASecondSignalEndsWorkThatDoesNotListen) {
+  EXPECT_EXIT(Main({},
+                   [] {
+                     std::raise(SIGINT);
+                     std::raise(SIGINT);
+                   }),
+              testing::KilledBySignal(SIGINT), "^$");
+}
+
+}  // namespace
+}  // namespace gmapping_spa::apps
