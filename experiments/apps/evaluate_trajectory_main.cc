@@ -1,0 +1,96 @@
+// Compares a trajectory with the true one and prints the errors as JSON.
+#include <gflags/gflags.h>
+
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "backend/trajectory_io.h"
+#include "experiments/apps/app.h"
+#include "experiments/apps/input_file.h"
+#include "experiments/apps/json.h"
+#include "experiments/metrics/association.h"
+#include "experiments/metrics/trajectory_error.h"
+
+DEFINE_string(truth, "", "File of the true trajectory, TUM format.");
+DEFINE_string(trajectory, "", "File of the trajectory to score, TUM format.");
+DEFINE_double(max_gap_s, 0.01,
+              "Poses belong together when their stamps differ by this at most "
+              "(seconds).");
+DEFINE_string(
+    align, "se2",
+    "How the trajectory is laid over the truth before absolute errors are taken: se2 (least "
+    "squared distance, no scale), first (by the first poses) or none.");
+DEFINE_double(rpe_delta, 1.0, "Length of a step of the relative pose error, in --rpe_unit.");
+DEFINE_string(rpe_unit, "frames", "Unit of --rpe_delta: frames, m (along the path) or s.");
+
+namespace gmapping_spa::apps {
+namespace {
+
+template <typename T>
+T Choice(const std::string& flag, const std::string& value,
+         const std::map<std::string, T>& values) {
+  const auto found = values.find(value);
+  if (found != values.end()) return found->second;
+  std::string names;
+  for (const auto& [name, unused] : values) names += (names.empty() ? "" : ", ") + name;
+  throw std::runtime_error("--" + flag + ": expected one of " + names + ", found '" + value + "'");
+}
+
+Json ErrorsToJson(const metrics::PoseErrorSummary& summary) {
+  return {{"pairs", summary.pairs},
+          {"translation_m", ToJson(summary.translation_m)},
+          {"rotation_deg", ToJson(summary.rotation_deg)}};
+}
+
+void Run() {
+  if (FLAGS_truth.empty()) throw std::runtime_error("--truth=FILE is missing");
+  if (FLAGS_trajectory.empty()) throw std::runtime_error("--trajectory=FILE is missing");
+  if (!(FLAGS_max_gap_s >= 0.0)) throw std::runtime_error("--max_gap_s must not be negative");
+  const auto alignment = Choice<metrics::Alignment>("align", FLAGS_align,
+                                                    {{"none", metrics::Alignment::kNone},
+                                                     {"first", metrics::Alignment::kFirst},
+                                                     {"se2", metrics::Alignment::kSe2}});
+  const auto unit = Choice<metrics::StepUnit>("rpe_unit", FLAGS_rpe_unit,
+                                              {{"frames", metrics::StepUnit::kFrames},
+                                               {"m", metrics::StepUnit::kMetres},
+                                               {"s", metrics::StepUnit::kSeconds}});
+  const auto truth = backend::ReadTum(*OpenInput(FLAGS_truth), FLAGS_truth);
+  const auto trajectory = backend::ReadTum(*OpenInput(FLAGS_trajectory), FLAGS_trajectory);
+  const auto pairs = metrics::AssociateByStamp(truth, trajectory, FLAGS_max_gap_s);
+  const backend::SE2 truth_T_estimate = metrics::Align(pairs, alignment);
+  const auto absolute = metrics::AbsoluteTrajectoryError(pairs, alignment);
+  const auto relative = metrics::RelativePoseError(pairs, {.step = FLAGS_rpe_delta, .unit = unit});
+  const Json json = {
+      {"truth_poses", truth.size()},
+      {"trajectory_poses", trajectory.size()},
+      {"associated", pairs.size()},
+      {"max_gap_s", FLAGS_max_gap_s},
+      {"align", FLAGS_align},
+      {"alignment",
+       {{"x_m", truth_T_estimate.x},
+        {"y_m", truth_T_estimate.y},
+        {"theta_rad", truth_T_estimate.theta}}},
+      {"ate", ErrorsToJson(absolute)},
+      {"rpe_delta", FLAGS_rpe_delta},
+      {"rpe_unit", FLAGS_rpe_unit},
+      {"rpe", ErrorsToJson(relative)},
+      {"convention",
+       "as evo, in the plane: poses associated by nearest stamp; ate: distances and angles between "
+       "poses after the alignment (rigid, without scale); rpe: inverse(true i_T_j) * estimated "
+       "i_T_j over consecutive steps without overlap; std is that of the population"}};
+  std::cout << json.dump(2) << '\n';
+}
+
+}  // namespace
+}  // namespace gmapping_spa::apps
+
+int main(int argc, char** argv) {
+  return gmapping_spa::apps::RunApp(
+      argc, argv,
+      "compares a trajectory with the true one and prints absolute (ATE) and relative (RPE) errors "
+      "as JSON.\nUsage: evaluate_trajectory --truth=FILE --trajectory=FILE\nFiles may be gzipped.",
+      gmapping_spa::apps::Run);
+}
