@@ -13,8 +13,9 @@ struct Interrupted : std::runtime_error {
 };
 
 // Parses the gflags of the command line (with `usage` for --help), starts glog (warnings to stderr,
-// unless flags say otherwise), installs handlers for SIGINT and SIGTERM and calls `run`. Returns the
-// exit status of the process: 0 when `run` returned and what it printed has been written, and after
+// unless flags say otherwise), installs handlers for SIGINT and SIGTERM and calls `run`. Returns
+// the exit status of the process: 0 when `run` returned and what it printed has been written, and
+// after
 // --help; 1 with one line on stderr when it threw, when words are left over on the command line and
 // when a flag or a line of a --flagfile is not known; 130 when it was interrupted.
 int RunApp(int argc, char** argv, const char* usage, const std::function<void()>& run);

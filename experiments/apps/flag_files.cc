@@ -40,9 +40,10 @@ void CheckFiles(const std::string& paths, std::set<std::string>& checked) {
       const std::size_t equals = flag.find('=');
       const std::string name = flag.substr(0, equals);
       if (!IsFlag(name, equals != std::string::npos)) {
-        throw std::runtime_error(path + ":" + std::to_string(number) +
-                                 ": expected --flag=value with a flag of this program, found '" +
-                                 line + "'");
+        std::ostringstream message;
+        message << path << ':' << number << ": expected --flag=value with a flag of this program, "
+                << "found '" << line << "'";
+        throw std::runtime_error(message.str());
       }
       if (name == "flagfile") CheckFiles(flag.substr(equals + 1), checked);
     }

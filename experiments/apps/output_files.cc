@@ -40,10 +40,7 @@ OutputFiles::OutputFiles(const std::string& folder) : folder_(folder) {
   if (folder.empty()) throw std::runtime_error("the name of the output folder is empty");
   std::error_code error;
   if (!fs::is_directory(folder_, error)) {
-    // Without a slash at the end, for which create_directories reports that it made nothing.
-    fs::path path = folder_;
-    if (!path.has_filename()) path = path.parent_path();
-    made_folder_ = fs::create_directories(path, error);
+    made_folder_ = fs::create_directories(folder_, error);
     if (error) {
       throw std::runtime_error("cannot make the folder '" + folder_ + "': " + error.message());
     }

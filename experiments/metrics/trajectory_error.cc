@@ -98,6 +98,7 @@ SE2 Align(const std::vector<PosePair>& pairs, Alignment alignment) {
 PoseErrorSummary AbsoluteTrajectoryError(const std::vector<PosePair>& pairs, Alignment alignment) {
   const SE2 truth_T_estimate = Align(pairs, alignment);
   std::vector<SE2> errors;
+  errors.reserve(pairs.size());
   for (const PosePair& pair : pairs) {
     errors.push_back(Between(pair.truth_T_robot, truth_T_estimate * pair.estimate_T_robot));
   }

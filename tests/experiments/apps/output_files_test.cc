@@ -131,9 +131,12 @@ TEST_F(OutputFilesTest, CommitReplacesAllOrNone) {
 }
 
 TEST_F(OutputFilesTest, CommitMissesFilesThatWereNeverWritten) {
+  std::ofstream(Path("a.txt")) << "old";
   OutputFiles files(Path(""));
+  files.Write("a.txt", Text("new"));
   files.TemporaryPath("map.png");
   EXPECT_THROW(files.Commit(), std::runtime_error);
+  EXPECT_EQ(Contents(Path("a.txt")), "old");
 }
 
 TEST_F(OutputFilesTest, FoldersThatCannotBeWrittenAreNoticedAtOnce) {

@@ -96,5 +96,19 @@ TEST(AssociateByStamp, TheEarlierOfTwoAsNearIsTaken) {
   EXPECT_EQ(pairs[0].truth_T_robot.x, 1);
 }
 
+TEST(AssociateByStamp, TheFirstOfEqualStampsIsTaken) {
+  const auto pairs = AssociateByStamp({{1, {10, 0, 0}}, {1, {11, 0, 0}}}, {{1.1, {0, 0, 0}}}, 1);
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].truth_T_robot.x, 10);
+}
+
+TEST(AssociateByStamp, GoesThroughTheEstimateIfBothAreAsLong) {
+  const Trajectory truth = {{1, {1, 0, 0}}, {1.05, {2, 0, 0}}};
+  const Trajectory estimate = {{1.04, {3, 0, 0}}, {5, {4, 0, 0}}};
+  const auto pairs = AssociateByStamp(truth, estimate, 0.1);
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].truth_T_robot.x, 2);
+}
+
 }  // namespace
 }  // namespace gmapping_spa::metrics

@@ -158,12 +158,23 @@ TEST(RelativePoseError, StepsOfMetresAreAlongThePathOfTheEstimateAndDropTheFirst
   EXPECT_NEAR(error.translation_m.mean, 1.0, 1e-12);
 }
 
+TEST(RelativePoseError, WhatAStepOfMetresIsTooLongIsNotTakenFromTheNext) {
+  // 0.7 m a frame: 1 m is passed at frames 2, 4, 6, 8, 10, each 1.4 m after the one before.
+  const auto error =
+      RelativePoseError(Drive(10, {0.7, 0, 0}), {.step = 1, .unit = StepUnit::kMetres});
+  EXPECT_EQ(error.pairs, 4);
+  EXPECT_NEAR(error.translation_m.max, 0.6, 1e-12);
+}
+
 TEST(RelativePoseError, StepsOfSecondsTolerateRoundedStamps) {
   auto pairs = Drive(20, {1.1, 0, 0});
   for (std::size_t k = 0; k < pairs.size(); ++k) pairs[k].stamp_s = 976052857.3 + 0.1 * k;
-  const auto error = RelativePoseError(pairs, {.step = 1, .unit = StepUnit::kSeconds});
-  EXPECT_EQ(error.pairs, 2);
-  EXPECT_NEAR(error.translation_m.max, 1.0, 1e-12);
+  const auto second = RelativePoseError(pairs, {.step = 1, .unit = StepUnit::kSeconds});
+  EXPECT_EQ(second.pairs, 2);
+  EXPECT_NEAR(second.translation_m.max, 1.0, 1e-12);
+  // Near 1e9 s a double steps by 1e-7 s, so that some of these differences are less than 0.1 s.
+  const auto tenth = RelativePoseError(pairs, {.step = 0.1, .unit = StepUnit::kSeconds});
+  EXPECT_EQ(tenth.pairs, 20);
 }
 
 TEST(RelativePoseError, DoesNotDependOnTheWorldFrame) {
