@@ -123,27 +123,35 @@ Trajectory RawOdometry(const std::string& path) {
   return trajectory;
 }
 
-TEST(EvaluateRelations, ScoresTheRawOdometryOfTheBenchmarkAsKnown) {
-  const auto data = RealDataFolder();
-  if (!data) GTEST_SKIP() << kNoRealData;
-  struct Known {
-    std::string name;
-    int relations;
-    double translation_m, rotation_deg;
-  };
-  for (const Known& known : {Known{"intel", 2984, 7.370, 39.2}, Known{"fr079", 1685, 6.504, 30.3},
-                             Known{"aces", 1279, 0.549, 2.33}}) {
-    SCOPED_TRACE(known.name);
-    const std::string path = *data + "/relations/" + known.name + ".relations.gz";
-    const auto relations = ReadRelations(*apps::OpenInput(path), path);
-    const Trajectory odometry = RawOdometry(*data + "/carmen/" + known.name + ".clf.gz");
-    const auto summary = EvaluateRelations(relations, odometry, {.max_gap_s = 0});
-    EXPECT_EQ(summary.used, known.relations);
-    EXPECT_EQ(summary.not_associated, 0);
-    EXPECT_NEAR(summary.translation_m.mean, known.translation_m, 0.0005);
-    EXPECT_NEAR(summary.rotation_deg.mean, known.rotation_deg, 0.05);
+struct Known {
+  std::string name;
+  int relations;
+  double translation_m, rotation_deg;
+  friend void PrintTo(const Known& known, std::ostream* out) { *out << known.name; }
+};
+
+class RawOdometryTest : public ::testing::TestWithParam<Known> {};
+
+TEST_P(RawOdometryTest, ScoresAsKnown) {
+  const Known& known = GetParam();
+  const auto relations_path = RealDataPath("relations/" + known.name + ".relations.gz");
+  const auto log_path = RealDataPath("carmen/" + known.name + ".clf.gz");
+  if (!relations_path || !log_path) {
+    GTEST_SKIP() << "needs the public data sets: set GMAPPING_SPA_DATA to their folder";
   }
+  const auto relations = ReadRelations(*apps::OpenInput(*relations_path), *relations_path);
+  const auto summary = EvaluateRelations(relations, RawOdometry(*log_path), {.max_gap_s = 0});
+  EXPECT_EQ(summary.used, known.relations);
+  EXPECT_EQ(summary.not_associated, 0);
+  EXPECT_NEAR(summary.translation_m.mean, known.translation_m, 0.0005);
+  EXPECT_NEAR(summary.rotation_deg.mean, known.rotation_deg, 0.05);
 }
+
+INSTANTIATE_TEST_SUITE_P(Benchmark, RawOdometryTest,
+                         ::testing::Values(Known{"intel", 2984, 7.370, 39.2},
+                                           Known{"fr079", 1685, 6.504, 30.3},
+                                           Known{"aces", 1279, 0.549, 2.33}),
+                         [](const auto& known) { return known.param.name; });
 
 }  // namespace
 }  // namespace gmapping_spa::metrics
