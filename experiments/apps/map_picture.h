@@ -1,0 +1,22 @@
+// A map and a trajectory as a picture for people.
+#ifndef GMAPPING_SPA_EXPERIMENTS_APPS_MAP_PICTURE_H_
+#define GMAPPING_SPA_EXPERIMENTS_APPS_MAP_PICTURE_H_
+
+#include <string>
+
+#include "backend/trajectory_io.h"
+#include "frontend/map/trinary_map.h"
+
+namespace gmapping_spa::apps {
+
+// Draws the known part of the map (unknown grey, free white, occupied black, y upward) with the
+// trajectory, whose poses are in the map's frame and in order of time, as a line from blue to red,
+// a green disc at its start and a red one at its end, and a scale bar. The longer side has 800 to
+// 2000 pixels. The trajectory may be empty.
+// Throws std::runtime_error with one line when the file cannot be written.
+void WriteMapPicture(const map::TrinaryMap& map, const backend::Trajectory& trajectory,
+                     const std::string& png_path);
+
+}  // namespace gmapping_spa::apps
+
+#endif  // GMAPPING_SPA_EXPERIMENTS_APPS_MAP_PICTURE_H_

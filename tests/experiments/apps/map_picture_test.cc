@@ -1,0 +1,102 @@
+#include "experiments/apps/map_picture.h"
+
+#include <cairo.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace gmapping_spa::apps {
+namespace {
+
+using backend::Trajectory;
+using map::CellState;
+using map::TrinaryMap;
+
+constexpr std::uint32_t kWhite = 0xffffff, kBlack = 0x000000, kGrey = 0xcdcdcd;
+
+// A room of free cells in the middle of unknown ones, with a wall on its left.
+TrinaryMap Room(int size, double resolution_m) {
+  TrinaryMap map{size, size, resolution_m, -3.0, 7.0, {}};
+  map.cells.assign(static_cast<std::size_t>(size) * size, CellState::kUnknown);
+  for (int row = size / 4; row < 3 * size / 4; ++row) {
+    for (int column = size / 4; column < 3 * size / 4; ++column) {
+      map.at(column, row) = column == size / 4 ? CellState::kOccupied : CellState::kFree;
+    }
+  }
+  return map;
+}
+
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<std::uint32_t> pixels;
+
+  std::uint32_t at(int x, int y) const { return pixels[y * width + x]; }
+};
+
+Picture Draw(const TrinaryMap& map, const Trajectory& trajectory) {
+  const std::string path = testing::TempDir() + "map_picture.png";
+  WriteMapPicture(map, trajectory, path);
+  cairo_surface_t* surface = cairo_image_surface_create_from_png(path.c_str());
+  Picture picture{
+      cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
+  for (int y = 0; y < picture.height; ++y) {
+    const auto* line = reinterpret_cast<const std::uint32_t*>(
+        cairo_image_surface_get_data(surface) + y * cairo_image_surface_get_stride(surface));
+    for (int x = 0; x < picture.width; ++x) picture.pixels.push_back(line[x] & 0xffffff);
+  }
+  cairo_surface_destroy(surface);
+  return picture;
+}
+
+TEST(MapPicture, IsCroppedToKnownCellsAndEnlarged) {
+  // 4 m x 4 m are known; with the margin, 6 m become 800 pixels.
+  const Picture picture = Draw(Room(80, 0.1), {});
+  EXPECT_EQ(picture.width, 800);
+  EXPECT_GE(picture.height, 800);
+  EXPECT_EQ(picture.at(5, 5), kGrey);
+  EXPECT_EQ(picture.at(140, 400), kBlack);
+  EXPECT_EQ(picture.at(400, 400), kWhite);
+  EXPECT_EQ(picture.at(795, 400), kGrey);
+}
+
+TEST(MapPicture, ReducesLargeMapsAndKeepsThinWalls) {
+  const Picture picture = Draw(Room(12000, 0.01), {});
+  EXPECT_EQ(picture.width, 2000);
+  bool wall = false;
+  for (int x = 0; x < 200; ++x) wall |= picture.at(x, 1000) == kBlack;
+  EXPECT_TRUE(wall);
+}
+
+TEST(MapPicture, ShowsTheTrajectoryFromBlueToRed) {
+  // Along y = 11 m, the middle of the room, from x = -0.5 to 2.5 m.
+  Trajectory trajectory;
+  for (int i = 0; i <= 300; ++i) trajectory.push_back({0.1 * i, {-0.5 + 0.01 * i, 11.0, 0.0}});
+  const Picture picture = Draw(Room(80, 0.1), trajectory);
+  const auto color_at_x = [&](double x_m) {
+    return picture.at(static_cast<int>((x_m + 2.0) * 800.0 / 6.0), 400);
+  };
+  const std::uint32_t start = color_at_x(-0.5), early = color_at_x(-0.2), late = color_at_x(2.2);
+  EXPECT_GT(start >> 8 & 0xff, start & 0xff) << "the start is green";
+  EXPECT_GT(early & 0xff, early >> 16) << "early is blue";
+  EXPECT_GT(late >> 16, late & 0xff) << "late is red";
+  EXPECT_EQ(picture.at(400, 300), kWhite);
+}
+
+TEST(MapPicture, SurvivesAnEmptyMapAndADivergedTrajectory) {
+  EXPECT_NO_THROW(Draw({}, {}));
+  EXPECT_NO_THROW(Draw(Room(80, 0.1), {{0.0, {}}, {1.0, {1e12, -1e12, 0.0}}}));
+}
+
+TEST(MapPicture, SaysWhichFileCannotBeWritten) {
+  EXPECT_THROW(WriteMapPicture(Room(80, 0.1), {}, "/nowhere/map.png"), std::runtime_error);
+}
+
+TEST(MapPicture, NoticesAFullDevice) {
+  EXPECT_THROW(WriteMapPicture(Room(80, 0.1), {}, "/dev/full"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace gmapping_spa::apps
