@@ -1,0 +1,41 @@
+// A robot on a tour through a world, and the sensor log that it records.
+#ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_SIMULATION_H_
+#define GMAPPING_SPA_EXPERIMENTS_SIMULATION_SIMULATION_H_
+
+#include <cstdint>
+#include <functional>
+#include <ostream>
+
+#include "backend/trajectory_io.h"
+#include "experiments/simulation/lidar.h"
+#include "experiments/simulation/odometry.h"
+#include "experiments/simulation/way_point_follower.h"
+#include "experiments/simulation/world.h"
+
+namespace gmapping_spa::simulation {
+
+struct SimulationOptions {
+  std::uint64_t seed = 1;
+  double robot_radius_m = 0.5;
+  WayPointFollowerOptions follower;
+  LidarOptions lidar;
+  OdometryOptions odometry;
+};
+
+struct SimulationSummary {
+  backend::Trajectory world_T_robot;  // the true pose at each scan
+  double path_length_m = 0.0;
+  backend::SE2 odom_T_robot;  // what raw odometry says in the end
+  int slip_events = 0;
+};
+
+// Drives the tour and writes the log: two odometry records a scan, as robots commonly have, from
+// time 0 on. `after_scan` is called after each scan. The same arguments give the same bytes.
+// Throws std::runtime_error with one line when the robot would touch something or does not arrive.
+SimulationSummary Simulate(
+    const World& world, const WayPoints& way_points, const SimulationOptions& options,
+    std::ostream& log, const std::function<void()>& after_scan = [] {});
+
+}  // namespace gmapping_spa::simulation
+
+#endif  // GMAPPING_SPA_EXPERIMENTS_SIMULATION_SIMULATION_H_

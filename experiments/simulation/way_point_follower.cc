@@ -1,0 +1,92 @@
+#include "experiments/simulation/way_point_follower.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "frontend/map/yaml_file.h"
+
+namespace gmapping_spa::simulation {
+namespace {
+
+// A way point counts as reached this near to it: corners are cut by no more.
+constexpr double kReachedM = 0.25;
+// How far ahead on the line the robot aims.
+constexpr double kLookaheadM = 0.7;
+// Beyond this angle between heading and aim the robot does not drive.
+constexpr double kTurnOnTheSpotRad = std::numbers::pi / 3.0;
+constexpr double kHeadingGainPerS = 2.5;
+// Slow enough to pass any corner, fast enough to arrive.
+constexpr double kCreepM_S = 0.15;
+
+double Direction(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  return std::atan2(to.y() - from.y(), to.x() - from.x());
+}
+
+}  // namespace
+
+WayPoints ReadWayPoints(const std::string& path) {
+  const map::YamlFile yaml(path);
+  yaml.AllowOnly({"way_points"});
+  WayPoints way_points;
+  for (const YAML::Node& item : yaml.Items("way_points")) {
+    const std::vector<double> point = yaml.Numbers(item, 2, "a way point [x, y]");
+    way_points.emplace_back(point[0], point[1]);
+    if (way_points.size() > 1 && way_points.back() == *std::prev(way_points.end(), 2)) {
+      yaml.Fail(item, "expected a way point other than the one before, found the same");
+    }
+  }
+  if (way_points.size() < 2) {
+    yaml.Fail(yaml.Get("way_points"),
+              "expected two or more way points, found " + std::to_string(way_points.size()));
+  }
+  return way_points;
+}
+
+backend::SE2 WayPointFollower::Start() const {
+  return {way_points_[0].x(), way_points_[0].y(), Direction(way_points_[0], way_points_[1])};
+}
+
+bool WayPointFollower::Reached(const Eigen::Vector2d& world_position) const {
+  return (way_points_[target_] - world_position).norm() < kReachedM;
+}
+
+double WayPointFollower::CornerSpeed() const {
+  if (target_ + 1 == way_points_.size()) return kCreepM_S;
+  const double before = Direction(way_points_[target_ - 1], way_points_[target_]);
+  const double after = Direction(way_points_[target_], way_points_[target_ + 1]);
+  const double corner_rad = std::abs(backend::WrapAngle(after - before));
+  return std::max(kCreepM_S, options_.max_speed_m_s * (1.0 - corner_rad / kTurnOnTheSpotRad));
+}
+
+BodyVelocity WayPointFollower::Next(const backend::SE2& world_T_robot, double duration_s) {
+  const Eigen::Vector2d position = world_T_robot.translation();
+  while (!Done() && Reached(position)) ++target_;
+  if (Done()) return velocity_ = {};
+
+  const Eigen::Vector2d& from = way_points_[target_ - 1];
+  const Eigen::Vector2d& to = way_points_[target_];
+  const double length_m = (to - from).norm();
+  const Eigen::Vector2d along = (to - from) / length_m;
+  const double aim_m = std::clamp((position - from).dot(along) + kLookaheadM, 0.0, length_m);
+  const Eigen::Vector2d aim = from + aim_m * along;
+  const double error_rad = backend::WrapAngle(Direction(position, aim) - world_T_robot.theta);
+
+  const double braking_m = std::max(0.0, (to - position).norm() - kReachedM);
+  const double corner_m_s = CornerSpeed();
+  const double speed_m_s = std::min(
+      {options_.max_speed_m_s * std::max(0.0, 1.0 - std::abs(error_rad) / kTurnOnTheSpotRad),
+       std::sqrt(corner_m_s * corner_m_s + 2.0 * options_.max_acceleration_m_s2 * braking_m)});
+  const double turn_rate_rad_s = std::clamp(
+      kHeadingGainPerS * error_rad, -options_.max_turn_rate_rad_s, options_.max_turn_rate_rad_s);
+
+  const double speed_change = options_.max_acceleration_m_s2 * duration_s;
+  const double turn_rate_change = options_.max_angular_acceleration_rad_s2 * duration_s;
+  velocity_.linear_m_s = std::clamp(speed_m_s, velocity_.linear_m_s - speed_change,
+                                    velocity_.linear_m_s + speed_change);
+  velocity_.angular_rad_s = std::clamp(turn_rate_rad_s, velocity_.angular_rad_s - turn_rate_change,
+                                       velocity_.angular_rad_s + turn_rate_change);
+  return velocity_;
+}
+
+}  // namespace gmapping_spa::simulation

@@ -1,0 +1,156 @@
+#include "experiments/simulation/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "frontend/map/map_server_io.h"
+#include "frontend/map/yaml_file.h"
+
+namespace gmapping_spa::simulation {
+namespace {
+
+using map::CellState;
+using map::TrinaryMap;
+
+TrinaryMap EmptyRaster(const map::YamlFile& yaml) {
+  TrinaryMap raster;
+  raster.resolution_m = yaml.Number("resolution");
+  const std::vector<double> size = yaml.Numbers(yaml.Get("size"), 2, "the size [x, y] in metres");
+  const double width = size[0] / raster.resolution_m, height = size[1] / raster.resolution_m;
+  if (!(raster.resolution_m > 0.0 && width >= 0.5 && height >= 0.5 &&
+        width * height <= static_cast<double>(map::kMaxMapCells))) {
+    yaml.Fail(yaml.Get("size"), "expected a size and a resolution of 1 to " +
+                                    std::to_string(map::kMaxMapCells) + " cells");
+  }
+  raster.width = static_cast<int>(std::lround(width));
+  raster.height = static_cast<int>(std::lround(height));
+  raster.cells.assign(static_cast<std::size_t>(raster.width) * raster.height, CellState::kFree);
+  return raster;
+}
+
+// The cells [first, second) whose centres lie in [min_m, max_m).
+std::pair<int, int> CentersWithin(double min_m, double max_m, double origin_m, double resolution_m,
+                                  int size) {
+  // Edges of boxes often fall on those of cells and must not be moved by rounding; they are half a
+  // cell away from the next centre.
+  const auto first_at = [&](double x_m) {
+    const double cell = std::ceil((x_m - origin_m) / resolution_m - 0.5);
+    return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(size)));
+  };
+  return {first_at(min_m), first_at(max_m)};
+}
+
+// Returns whether the box covers any cell.
+bool DrawBox(const std::vector<double>& box, TrinaryMap& raster) {
+  const auto [left, right] =
+      CentersWithin(box[0], box[2], raster.origin_x_m, raster.resolution_m, raster.width);
+  const auto [bottom, top] =
+      CentersWithin(box[1], box[3], raster.origin_y_m, raster.resolution_m, raster.height);
+  for (int row = bottom; row < top; ++row) {
+    for (int column = left; column < right; ++column) raster.at(column, row) = CellState::kOccupied;
+  }
+  return left < right && bottom < top;
+}
+
+}  // namespace
+
+World World::Read(const std::string& path) {
+  const map::YamlFile yaml(path);
+  const bool has_image = yaml.Has("image");
+  if (has_image) {
+    yaml.AllowOnly({"image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh",
+                    "mode", "boxes"});
+  } else {
+    yaml.AllowOnly({"size", "resolution", "boxes"});
+  }
+  TrinaryMap raster = has_image ? map::ReadMap(path) : EmptyRaster(yaml);
+  if (yaml.Has("boxes")) {
+    for (const YAML::Node& item : yaml.Items("boxes")) {
+      const std::vector<double> box = yaml.Numbers(item, 4, "a box [x_min, y_min, x_max, y_max]");
+      if (!DrawBox(box, raster)) {
+        yaml.Fail(item, "expected x_min < x_max, y_min < y_max and a cell of the world in the box");
+      }
+    }
+  }
+  return World(std::move(raster));
+}
+
+Eigen::Vector2d World::ToCells(const Eigen::Vector2d& world_point) const {
+  return (world_point - Eigen::Vector2d(raster_.origin_x_m, raster_.origin_y_m)) /
+         raster_.resolution_m;
+}
+
+// Amanatides and Woo, "A fast voxel traversal algorithm for ray tracing", Eurographics 1987, with
+// the distance to each crossing computed anew, so that errors do not add up.
+std::optional<double> World::CastRay(const Eigen::Vector2d& world_origin, double world_angle_rad,
+                                     double max_range_m) const {
+  const Eigen::Vector2d origin = ToCells(world_origin);
+  const double dx = std::cos(world_angle_rad), dy = std::sin(world_angle_rad);
+  const double max_range = max_range_m / raster_.resolution_m;
+  if (!(origin.x() >= 0.0 && origin.x() < raster_.width && origin.y() >= 0.0 &&
+        origin.y() < raster_.height)) {
+    return std::nullopt;
+  }
+  int column = static_cast<int>(origin.x()), row = static_cast<int>(origin.y());
+  const int step_x = dx > 0.0 ? 1 : -1, step_y = dy > 0.0 ? 1 : -1;
+  const int edge_x = dx > 0.0 ? 1 : 0, edge_y = dy > 0.0 ? 1 : 0;
+  // A ray along one axis never crosses an edge of the other.
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const double per_dx = 1.0 / dx, per_dy = 1.0 / dy;
+  const auto crossing_x = [&] {
+    return dx == 0.0 ? kNever : (column + edge_x - origin.x()) * per_dx;
+  };
+  const auto crossing_y = [&] { return dy == 0.0 ? kNever : (row + edge_y - origin.y()) * per_dy; };
+
+  double range = 0.0, next_x = crossing_x(), next_y = crossing_y();
+  while (range <= max_range) {
+    if (IsSolid(column, row)) return range * raster_.resolution_m;
+    if (next_x < next_y) {
+      range = next_x;
+      column += step_x;
+      if (column < 0 || column >= raster_.width) break;
+      next_x = crossing_x();
+    } else {
+      range = next_y;
+      row += step_y;
+      if (row < 0 || row >= raster_.height) break;
+      next_y = crossing_y();
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Eigen::Vector2d> World::FindContact(const Eigen::Vector2d& world_center,
+                                                  double radius_m) const {
+  const Eigen::Vector2d center = ToCells(world_center);
+  const double radius = radius_m / raster_.resolution_m;
+  const auto to_world = [this](const Eigen::Vector2d& cells) -> Eigen::Vector2d {
+    return cells * raster_.resolution_m + Eigen::Vector2d(raster_.origin_x_m, raster_.origin_y_m);
+  };
+  const Eigen::Vector2d limit(raster_.width, raster_.height);
+  for (const int axis : {0, 1}) {
+    Eigen::Vector2d outside = center;
+    outside[axis] = center[axis] < limit[axis] / 2.0 ? 0.0 : limit[axis];
+    const bool beyond = center[axis] < radius || center[axis] > limit[axis] - radius;
+    if (beyond) return to_world(outside);
+  }
+  const Eigen::Vector2i first = (center.array() - radius).floor().cast<int>().max(0);
+  const Eigen::Vector2i last = (center.array() + radius).floor().cast<int>();
+  std::optional<Eigen::Vector2d> contact;
+  double best = radius * radius;
+  for (int row = first.y(); row <= std::min(last.y(), raster_.height - 1); ++row) {
+    for (int column = first.x(); column <= std::min(last.x(), raster_.width - 1); ++column) {
+      if (!IsSolid(column, row)) continue;
+      const Eigen::Vector2d point(std::clamp(center.x(), column + 0.0, column + 1.0),
+                                  std::clamp(center.y(), row + 0.0, row + 1.0));
+      if ((point - center).squaredNorm() >= best) continue;
+      best = (point - center).squaredNorm();
+      contact = to_world(point);
+    }
+  }
+  return contact;
+}
+
+}  // namespace gmapping_spa::simulation

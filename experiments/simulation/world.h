@@ -1,0 +1,50 @@
+// A two-dimensional world of solid and empty cells.
+#ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_WORLD_H_
+#define GMAPPING_SPA_EXPERIMENTS_SIMULATION_WORLD_H_
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "frontend/map/trinary_map.h"
+
+namespace gmapping_spa::simulation {
+
+// A raster in which occupied cells are solid and all others empty. Outside of it there is nothing
+// to see and nowhere to drive. Coordinates are in the world frame, in metres.
+class World {
+ public:
+  explicit World(map::TrinaryMap raster) : raster_(std::move(raster)) {}
+
+  // Reads a world file: YAML with the keys of map_server for an image, or `size: [x, y]` and
+  // `resolution` in metres for an empty world with its lower left corner at the origin; either may
+  // have `boxes`, a list of solid rectangles [x_min, y_min, x_max, y_max] drawn over it. A cell is
+  // solid when its centre lies in a box.
+  // Throws std::runtime_error "<path>[:<line>]: <what was expected, what was found>".
+  static World Read(const std::string& path);
+
+  // Distance along the ray to where it enters the first solid cell; nothing when that is farther
+  // than max_range_m or never happens. Exact for the raster (to rounding), 0 from inside a solid.
+  std::optional<double> CastRay(const Eigen::Vector2d& world_origin, double world_angle_rad,
+                                double max_range_m) const;
+
+  // The point of a solid cell nearest to the centre, or a point of the edge of the world, that lies
+  // in the disc; nothing when the disc is free.
+  std::optional<Eigen::Vector2d> FindContact(const Eigen::Vector2d& world_center,
+                                             double radius_m) const;
+
+  const map::TrinaryMap& raster() const { return raster_; }
+
+ private:
+  bool IsSolid(int column, int row) const {
+    return raster_.at(column, row) == map::CellState::kOccupied;
+  }
+  // In units of cells, from the lower left corner.
+  Eigen::Vector2d ToCells(const Eigen::Vector2d& world_point) const;
+
+  map::TrinaryMap raster_;
+};
+
+}  // namespace gmapping_spa::simulation
+
+#endif  // GMAPPING_SPA_EXPERIMENTS_SIMULATION_WORLD_H_

@@ -1,0 +1,80 @@
+#include "experiments/simulation/lidar.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace gmapping_spa::simulation {
+namespace {
+
+using map::CellState;
+
+// A room of 8 m x 6 m with walls one cell (0.1 m) thick.
+World Room() {
+  map::TrinaryMap raster{80, 60, 0.1, 0.0, 0.0, std::vector<CellState>(4800, CellState::kFree)};
+  for (int column = 0; column < 80; ++column) {
+    raster.at(column, 0) = raster.at(column, 59) = CellState::kOccupied;
+  }
+  for (int row = 0; row < 60; ++row) raster.at(0, row) = raster.at(79, row) = CellState::kOccupied;
+  return World(raster);
+}
+
+TEST(Lidar, BeamsGoRoundFromBehindInTheLaserFrame) {
+  LidarOptions options;
+  options.beams = 4;
+  options.range_noise_m = 0.0;
+  // Facing up: behind is the lower wall, then right, front and left.
+  const std::vector<double> ranges_m = Scan(Room(), {3.0, 2.0, std::acos(0.0)}, options, 1, 0);
+  ASSERT_EQ(ranges_m.size(), 4u);
+  EXPECT_NEAR(ranges_m[0], 1.9, 1e-9);
+  EXPECT_NEAR(ranges_m[1], 4.9, 1e-9);
+  EXPECT_NEAR(ranges_m[2], 3.9, 1e-9);
+  EXPECT_NEAR(ranges_m[3], 2.9, 1e-9);
+}
+
+TEST(Lidar, NoiseIsNormalWithTheGivenDeviation) {
+  LidarOptions options;
+  options.range_noise_m = 0.03;
+  LidarOptions exact = options;
+  exact.range_noise_m = 0.0;
+  const World room = Room();
+  const backend::SE2 pose{3.0, 2.0, 0.3};
+  const std::vector<double> true_ranges_m = Scan(room, pose, exact, 5, 0);
+  double sum = 0.0, sum_squares = 0.0;
+  constexpr int kScans = 200;
+  for (int scan = 0; scan < kScans; ++scan) {
+    const std::vector<double> ranges_m = Scan(room, pose, options, 5, scan);
+    for (int beam = 0; beam < options.beams; ++beam) {
+      const double error_m = ranges_m[beam] - true_ranges_m[beam];
+      sum += error_m;
+      sum_squares += error_m * error_m;
+    }
+  }
+  const double count = kScans * options.beams;
+  // Five standard errors.
+  EXPECT_NEAR(sum / count, 0.0, 5.0 * 0.03 / std::sqrt(count));
+  EXPECT_NEAR(sum_squares / count, 9e-4, 5.0 * 9e-4 * std::sqrt(2.0 / count));
+}
+
+TEST(Lidar, NoReturnIsTheMaximumRange) {
+  LidarOptions options;
+  options.max_range_m = 3.5;
+  const std::vector<double> ranges_m = Scan(Room(), {3.0, 2.0, 0.0}, options, 1, 0);
+  EXPECT_EQ(ranges_m[180], 3.5);  // Ahead the wall is 4.9 m away.
+  EXPECT_NEAR(ranges_m[0], 2.9, 0.1);
+  EXPECT_LE(*std::max_element(ranges_m.begin(), ranges_m.end()), 3.5);
+}
+
+TEST(Lidar, ScansDifferByNumberAndSeedOnly) {
+  const World room = Room();
+  const LidarOptions options;
+  const backend::SE2 pose{3.0, 2.0, 0.0};
+  EXPECT_EQ(Scan(room, pose, options, 1, 7), Scan(room, pose, options, 1, 7));
+  EXPECT_NE(Scan(room, pose, options, 1, 7), Scan(room, pose, options, 1, 8));
+  EXPECT_NE(Scan(room, pose, options, 1, 7), Scan(room, pose, options, 2, 7));
+}
+
+}  // namespace
+}  // namespace gmapping_spa::simulation

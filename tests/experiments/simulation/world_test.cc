@@ -1,0 +1,152 @@
+#include "experiments/simulation/world.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace gmapping_spa::simulation {
+namespace {
+
+using map::CellState;
+using testing::HasSubstr;
+
+std::string WriteFile(const std::string& name, const std::string& text) {
+  const std::string path = testing::TempDir() + name;
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
+
+World WorldOf(const std::string& yaml) {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  return World::Read(WriteFile(std::string("world_") + test->name() + ".yaml", yaml));
+}
+
+std::string ErrorOf(const std::string& yaml) {
+  try {
+    WorldOf(yaml);
+  } catch (const std::runtime_error& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    return message.substr(message.rfind(".yaml") + 5);
+  }
+  return "no error";
+}
+
+// Distance along a ray to an axis-aligned rectangle, from outside, by the slab method.
+double RangeToBox(const Eigen::Vector2d& origin, double angle_rad, const Eigen::Vector2d& min,
+                  const Eigen::Vector2d& max) {
+  const Eigen::Vector2d direction(std::cos(angle_rad), std::sin(angle_rad));
+  double enter = 0.0, leave = std::numeric_limits<double>::infinity();
+  for (const int axis : {0, 1}) {
+    const double a = (min[axis] - origin[axis]) / direction[axis];
+    const double b = (max[axis] - origin[axis]) / direction[axis];
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  return enter <= leave ? enter : std::numeric_limits<double>::infinity();
+}
+
+constexpr const char* kTwoBoxes =
+    "size: [10, 8]\nresolution: 0.025\nboxes:\n  - [2, 1, 3.5, 2]\n  - [6, 4, 6.5, 7.25]\n";
+
+TEST(World, RaysMeetBoxesAtTheAnalyticDistance) {
+  const World world = WorldOf(kTwoBoxes);
+  int hits = 0;
+  for (const Eigen::Vector2d& origin : {Eigen::Vector2d(4.7, 3.1), Eigen::Vector2d(0.37, 5.77)}) {
+    for (int i = 0; i < 1000; ++i) {
+      const double angle_rad = -4.0 + 0.00801 * i;
+      const double expected = std::min(RangeToBox(origin, angle_rad, {2, 1}, {3.5, 2}),
+                                       RangeToBox(origin, angle_rad, {6, 4}, {6.5, 7.25}));
+      const std::optional<double> range_m = world.CastRay(origin, angle_rad, 30.0);
+      ASSERT_EQ(range_m.has_value(), std::isfinite(expected)) << "angle " << angle_rad;
+      if (range_m) {
+        EXPECT_NEAR(*range_m, expected, 1e-9) << "angle " << angle_rad;
+      }
+      hits += range_m.has_value();
+    }
+  }
+  EXPECT_GT(hits, 200);
+}
+
+TEST(World, RaysAlongTheAxesAreExact) {
+  const World world = WorldOf(kTwoBoxes);
+  const double pi = std::numbers::pi;
+  EXPECT_NEAR(world.CastRay({1.0, 1.5}, 0.0, 30.0).value(), 1.0, 1e-12);
+  EXPECT_NEAR(world.CastRay({5.0, 1.5}, pi, 30.0).value(), 1.5, 1e-12);
+  EXPECT_NEAR(world.CastRay({3.0, 0.25}, pi / 2.0, 30.0).value(), 0.75, 1e-12);
+  EXPECT_NEAR(world.CastRay({6.25, 7.75}, -pi / 2.0, 30.0).value(), 0.5, 1e-12);
+  // From the very corner of a cell.
+  EXPECT_NEAR(world.CastRay({1.5, 1.5}, 0.0, 30.0).value(), 0.5, 1e-12);
+}
+
+TEST(World, RaysEndAtTheirRangeAndAtTheEdge) {
+  const World world = WorldOf(kTwoBoxes);
+  EXPECT_TRUE(world.CastRay({1.0, 1.5}, 0.0, 1.001).has_value());
+  EXPECT_FALSE(world.CastRay({1.0, 1.5}, 0.0, 0.999).has_value());
+  EXPECT_FALSE(world.CastRay({1.0, 1.5}, 3.0, 1000.0).has_value());
+  EXPECT_FALSE(world.CastRay({-1.0, 1.5}, 0.0, 1000.0).has_value());
+  EXPECT_EQ(world.CastRay({2.5, 1.5}, 0.0, 30.0), 0.0);
+}
+
+TEST(World, FindsTheContactOfADisc) {
+  const World world = WorldOf(kTwoBoxes);
+  EXPECT_FALSE(world.FindContact({1.49, 1.5}, 0.5).has_value());
+  const auto side = world.FindContact({1.6, 1.5}, 0.5);
+  ASSERT_TRUE(side.has_value());
+  EXPECT_NEAR(side->x(), 2.0, 1e-9);
+  // Near a corner it is the distance to the corner that counts: 0.5 * sqrt(2).
+  EXPECT_FALSE(world.FindContact({4.0, 2.5}, 0.707).has_value());
+  EXPECT_TRUE(world.FindContact({4.0, 2.5}, 0.708).has_value());
+  // The world ends at its edge.
+  EXPECT_TRUE(world.FindContact({0.4, 4.0}, 0.5).has_value());
+  EXPECT_TRUE(world.FindContact({8.0, 7.6}, 0.5).has_value());
+  EXPECT_TRUE(world.FindContact({-3.0, 4.0}, 0.5).has_value());
+}
+
+TEST(World, BoxesAreDrawnOverTheImage) {
+  WriteFile("world_image.pgm", std::string("P5\n4 2\n255\n\xfe\xfe\xfe\0\xcd\xfe\xfe\xfe", 19));
+  const World world = WorldOf(
+      "image: world_image.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\nnegate: 0\n"
+      "occupied_thresh: 0.65\nfree_thresh: 0.196\nboxes: [[-0.5, 2, 0, 2.5]]\n");
+  EXPECT_NEAR(world.CastRay({-0.75, 2.75}, 0.0, 9.0).value(), 1.25, 1e-12);
+  EXPECT_NEAR(world.CastRay({-0.75, 2.25}, 0.0, 9.0).value(), 0.25, 1e-12);
+  // What the image does not know is empty.
+  EXPECT_EQ(world.raster().at(0, 0), CellState::kUnknown);
+  EXPECT_FALSE(world.CastRay({-0.75, 2.25}, 3.0, 9.0).has_value());
+}
+
+TEST(World, BoxEdgesOnCellEdgesAreNotMovedByRounding) {
+  const World world = WorldOf("size: [3, 1]\nresolution: 0.1\nboxes:\n  - [0.3, 0, 0.7, 1]\n");
+  for (int column = 0; column < 30; ++column) {
+    EXPECT_EQ(world.raster().at(column, 5) == CellState::kOccupied, column >= 3 && column < 7);
+  }
+}
+
+TEST(World, BadFilesAreNamedByLine) {
+  const std::string head = "size: [4, 3]\nresolution: 0.1\n";
+  ASSERT_EQ(ErrorOf(head), "no error");
+  EXPECT_THAT(ErrorOf(head + "boxs: []\n"), HasSubstr(":3: expected one of the keys size, "));
+  EXPECT_THAT(ErrorOf(head + "boxs: []\n"), HasSubstr("found 'boxs'"));
+  EXPECT_EQ(ErrorOf(head + "boxes:\n  - [0, 0, 1]\n"),
+            ":4: expected a box [x_min, y_min, x_max, y_max], found a list of 3");
+  EXPECT_EQ(ErrorOf(head + "boxes:\n  - [0, 0, 1, one]\n"),
+            ":4: expected a box [x_min, y_min, x_max, y_max], found 'one' in it");
+  EXPECT_THAT(ErrorOf(head + "boxes:\n  - [0, 0, 1, 1]\n  - [2, 1, 1, 2]\n"), HasSubstr(":5: "));
+  EXPECT_THAT(ErrorOf(head + "boxes:\n  - [5, 5, 6, 6]\n"), HasSubstr("a cell of the world"));
+  EXPECT_EQ(ErrorOf(head + "boxes: 3\n"), ":3: expected a list for 'boxes', found '3'");
+  EXPECT_EQ(ErrorOf("resolution: 0.1\n"), ": expected the key 'size', found none");
+  EXPECT_THAT(ErrorOf("size: [4, 3]\nresolution: 0\n"), HasSubstr(":1: expected a size"));
+  EXPECT_THAT(ErrorOf("size: [1e9, 1e9]\nresolution: 0.1\n"), HasSubstr(":1: expected a size"));
+  EXPECT_THAT(ErrorOf("size: [4, 3]\nimage: a.pgm\nresolution: 0\n"),
+              HasSubstr(":1: expected one of the keys image, "));
+}
+
+}  // namespace
+}  // namespace gmapping_spa::simulation
