@@ -24,6 +24,9 @@ DEFINE_double(angular_update_rad, kGmapping.angular_update_rad,
               "The filter is updated after this much turning.");
 DEFINE_double(resample_threshold, kGmapping.filter.resample_threshold,
               "Resample when N_eff is below this part of the number of particles.");
+DEFINE_int32(initial_guesses, kGmapping.filter.initial_guesses,
+             "Draws from the motion model among which scan matching chooses its start, besides the "
+             "odometry's prediction.");
 DEFINE_double(obs_sigma_gain, kGmapping.filter.obs_sigma_gain,
               "Weights are flattened by the exponent 1 / (this * particles).");
 
@@ -86,6 +89,7 @@ frontend::Gmapping::Options GmappingOptionsFromFlags() {
   filter.threads = static_cast<int>(Positive("threads", FLAGS_threads));
   filter.seed = FLAGS_seed;
   filter.resample_threshold = NotNegative("resample_threshold", FLAGS_resample_threshold);
+  filter.initial_guesses = static_cast<int>(NotNegative("initial_guesses", FLAGS_initial_guesses));
   filter.obs_sigma_gain = Positive("obs_sigma_gain", FLAGS_obs_sigma_gain);
   filter.grid.resolution_m = Positive("resolution_m", FLAGS_resolution_m);
   filter.grid.full_threshold = NotNegative("full_threshold", FLAGS_full_threshold);

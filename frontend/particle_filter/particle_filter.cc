@@ -90,9 +90,9 @@ void ParticleFilter::Move(const scan_matching::ScanPoints& points, const SE2& od
   const SE2 previous = particle.world_T_robot;
   const PoseGaussian prior{previous * odometry_increment,
                            motion_model_.Covariance(previous, odometry_increment)};
-  const scan_matching::MatchResult match =
-      matcher_->Match(particle.map, points, prior.mean);  // eq. (8)
   scan_matching::EndpointModel model(options_.endpoint, &particle.map, &points);
+  const scan_matching::MatchResult match = matcher_->Match(  // eq. (8)
+      particle.map, points, InitialGuess(particle, odometry_increment, &model, &random));
   double log_factor = 0.0;  // of the weight, eqs. (7) and (15)
   if (match.success) {
     const Proposal proposal =
@@ -107,6 +107,24 @@ void ParticleFilter::Move(const scan_matching::ScanPoints& points, const SE2& od
   }
   particle.log_weight += log_factor;
   particle.log_likelihood += log_factor;
+}
+
+// Where the scan fits best among the odometry's prediction and some draws from the motion model:
+// wheels slip by more than a hill climb can make good.
+SE2 ParticleFilter::InitialGuess(const Particle& particle, const SE2& odometry_increment,
+                                 scan_matching::EndpointModel* model,
+                                 CounterRandom* random) const {
+  SE2 best = particle.world_T_robot * odometry_increment;
+  double best_score = model->Score(best);
+  for (int k = 0; k < options_.initial_guesses; ++k) {
+    const SE2 guess = motion_model_.Sample(particle.world_T_robot, odometry_increment, random);
+    const double score = model->Score(guess, best_score);
+    if (score > best_score) {
+      best = guess;
+      best_score = score;
+    }
+  }
+  return best;
 }
 
 // Eq. (17): resamples when N_eff is small. Ancestor of each particle of the next generation.

@@ -28,6 +28,9 @@ class ParticleFilter {
     std::uint64_t seed = 1;
     // Resampling when N_eff falls below this part of the number of particles.
     double resample_threshold = 0.5;
+    // Hill climbing starts at the best of the odometry's prediction and this many draws from the
+    // motion model.
+    int initial_guesses = 10;
     // Weights are p(z)^(1 / (gain * particles)), as in GMapping.
     double obs_sigma_gain = 3.0;
     MotionModel::Options motion;
@@ -68,6 +71,9 @@ class ParticleFilter {
  private:
   void Move(const scan_matching::ScanPoints& points, const backend::SE2& odometry_increment,
             int index);
+  backend::SE2 InitialGuess(const Particle& particle, const backend::SE2& odometry_increment,
+                            scan_matching::EndpointModel* model,
+                            backend::CounterRandom* random) const;
   std::vector<int> ChooseAncestors(Update* update);
   void Register(const sensor::LaserScan& scan, const std::vector<int>& ancestors);
   void Duplicate(const std::vector<int>& ancestors);
