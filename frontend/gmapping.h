@@ -40,8 +40,8 @@ class Gmapping {
   // Throws std::runtime_error when the odometry leads out of the area that a map can cover.
   void AddScan(const sensor::LaserScan& scan);
 
-  // Estimate of the best particle so far: poses of all scans in the order of the input, poses of the
-  // graph's nodes in the order of their ids, and the map. Needs at least one scan.
+  // Estimate of the best particle so far: poses of all scans in the order of the input, poses of
+  // the graph's nodes in the order of their ids, and the map. Needs at least one scan.
   backend::Trajectory ScanTrajectory() const;
   std::vector<backend::SE2> NodePoses() const;
   const map::OccupancyGrid& Map() const;

@@ -39,10 +39,10 @@ backend::Trajectory ScanPoses::Fill(const std::vector<SE2>& world_T_updates) con
       const SE2 predicted = world_T_odom * entries_[k].odom_T_robot;
       by_index.emplace_back(
           entries_[k].index,
-          backend::StampedPose{entries_[k].stamp_s,
-                               {predicted.x + share * correction.x,
-                                predicted.y + share * correction.y,
-                                backend::WrapAngle(predicted.theta + share * correction.theta)}});
+          backend::StampedPose{
+              entries_[k].stamp_s,
+              {predicted.x + share * correction.x, predicted.y + share * correction.y,
+               backend::WrapAngle(predicted.theta + share * correction.theta)}});
     }
     begin = end;
   }

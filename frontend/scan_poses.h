@@ -16,8 +16,8 @@ namespace gmapping_spa::frontend {
 // is spread over the scans in proportion to the motion up to them.
 class ScanPoses {
  public:
-  // Scans in the order of time. `motion` is the amount of motion since the scan before, in any unit;
-  // `is_update` says whether the filter was updated with this scan. The first one must be.
+  // Scans in the order of time. `motion` is the amount of motion since the scan before, in any
+  // unit; `is_update` says whether the filter was updated with this scan. The first one must be.
   void Add(const sensor::LaserScan& scan, double motion, bool is_update);
 
   // Poses of all scans in the order of the input, given those at the updates.

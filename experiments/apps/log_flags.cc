@@ -15,7 +15,8 @@ DEFINE_double(usable_range_m, kDefaults.usable_range_m,
 DEFINE_double(range_min_m, kDefaults.range_min_m, "A range shorter than this is invalid.");
 DEFINE_string(fov_deg, "", "Angle from the first beam to the last, instead of the log's.");
 DEFINE_string(angle_min_deg, "", "Angle of the first beam, instead of the log's.");
-DEFINE_string(laser_pose, "", "Pose x,y,theta (m, m, rad) of the laser on the robot, instead of "
+DEFINE_string(laser_pose, "",
+              "Pose x,y,theta (m, m, rad) of the laser on the robot, instead of "
               "the log's.");
 DEFINE_bool(laser_flipped, kDefaults.flipped, "The laser is mounted upside down.");
 DEFINE_double(reorder_window_s, kDefaults.reorder_window_s,
@@ -60,8 +61,8 @@ sensor::LogOptions LogOptionsFromFlags() {
   if (FLAGS_bad_record != "skip" && FLAGS_bad_record != "fail") {
     throw std::runtime_error("--bad_record=" + FLAGS_bad_record + ": expected skip or fail");
   }
-  options.bad_record = FLAGS_bad_record == "fail" ? sensor::BadRecordPolicy::kFail
-                                                  : sensor::BadRecordPolicy::kSkip;
+  options.bad_record =
+      FLAGS_bad_record == "fail" ? sensor::BadRecordPolicy::kFail : sensor::BadRecordPolicy::kSkip;
   return options;
 }
 

@@ -14,9 +14,9 @@ namespace gmapping_spa::particle_filter {
 class MotionModel {
  public:
   struct Options {
-    double linear_per_linear = 0.1;    // m of noise along the motion per m driven ("srr")
+    double linear_per_linear = 0.2;    // m of noise along the motion per m driven ("srr")
     double linear_per_angular = 0.1;   // m per rad turned ("str")
-    double lateral_per_linear = 0.03;  // m of noise across the motion per m driven ("sxy")
+    double lateral_per_linear = 0.1;   // m of noise across the motion per m driven ("sxy")
     double angular_per_linear = 0.2;   // rad per m driven ("srt")
     double angular_per_angular = 0.2;  // rad per rad turned ("stt")
     double linear_floor_m = 0.01;      // of a robot that stands still: sensors and clocks jitter

@@ -95,8 +95,7 @@ void ParticleFilter::Move(const scan_matching::ScanPoints& points, const SE2& od
       particle.map, points, InitialGuess(particle, odometry_increment, &model, &random));
   double log_factor = 0.0;  // of the weight, eqs. (7) and (15)
   if (match.success) {
-    const Proposal proposal =
-        ComputeProposal(&model, match.world_T_robot, prior);
+    const Proposal proposal = ComputeProposal(&model, match.world_T_robot, prior);
     particle.world_T_robot = Draw(proposal.gaussian, &random);  // eq. (13)
     particle.step = {previous, true, proposal.gaussian.covariance};
     log_factor = proposal.log_eta;
@@ -112,8 +111,7 @@ void ParticleFilter::Move(const scan_matching::ScanPoints& points, const SE2& od
 // Where the scan fits best among the odometry's prediction and some draws from the motion model:
 // wheels slip by more than a hill climb can make good.
 SE2 ParticleFilter::InitialGuess(const Particle& particle, const SE2& odometry_increment,
-                                 scan_matching::EndpointModel* model,
-                                 CounterRandom* random) const {
+                                 scan_matching::EndpointModel* model, CounterRandom* random) const {
   SE2 best = particle.world_T_robot * odometry_increment;
   double best_score = model->Score(best);
   for (int k = 0; k < options_.initial_guesses; ++k) {

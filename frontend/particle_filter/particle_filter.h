@@ -18,8 +18,8 @@
 
 namespace gmapping_spa::particle_filter {
 
-// Factorization, eq. (6): p(x_1:t, m | z, u) = p(m | x_1:t, z) p(x_1:t | z, u). The second factor is
-// what the particles sample; the first one is computed for each of them.
+// Factorization, eq. (6): p(x_1:t, m | z, u) = p(m | x_1:t, z) p(x_1:t | z, u). The second factor
+// is what the particles sample; the first one is computed for each of them.
 class ParticleFilter {
  public:
   struct Options {
@@ -30,7 +30,7 @@ class ParticleFilter {
     double resample_threshold = 0.5;
     // Hill climbing starts at the best of the odometry's prediction and this many draws from the
     // motion model.
-    int initial_guesses = 10;
+    int initial_guesses = 20;
     // Weights are p(z)^(1 / (gain * particles)), as in GMapping.
     double obs_sigma_gain = 3.0;
     MotionModel::Options motion;

@@ -25,8 +25,8 @@ Vector3d Offset(const SE2& from, const SE2& to) {
   return {to.x - from.x, to.y - from.y, backend::WrapAngle(to.theta - from.theta)};
 }
 
-// Minus the Hessian of f at zero by central differences with unit step, without the parts that curve
-// upward: there the likelihood does not bound the pose.
+// Minus the Hessian of f at zero by central differences with unit step, without the parts that
+// curve upward: there the likelihood does not bound the pose.
 template <typename Function>
 Matrix3d Curvature(const Function& f) {
   Matrix3d curvature;
@@ -56,16 +56,14 @@ Proposal ComputeProposal(scan_matching::EndpointModel* model, const SE2& optimum
 
   // Steps of a cell make the unknowns comparable.
   const Vector3d step(model->resolution_m(), model->resolution_m(), kAngularStep_rad);
-  const Matrix3d information =
-      Curvature([&](const Vector3d& q) {
-        return model->LogLikelihood(Moved(optimum, step.cwiseProduct(q)));
-      }) +
-      Matrix3d(step.asDiagonal() * prior_information * step.asDiagonal());
+  const Matrix3d information = Curvature([&](const Vector3d& q) {
+                                 return model->LogLikelihood(Moved(optimum, step.cwiseProduct(q)));
+                               }) +
+                               Matrix3d(step.asDiagonal() * prior_information * step.asDiagonal());
   const SymmetricEigenSolver eigen(information);
   // Columns: one lattice step along each principal axis.
-  const Matrix3d lattice =
-      step.asDiagonal() * eigen.eigenvectors() *
-      (3.0 * eigen.eigenvalues().cwiseInverse()).cwiseSqrt().asDiagonal();
+  const Matrix3d lattice = step.asDiagonal() * eigen.eigenvectors() *
+                           (3.0 * eigen.eigenvalues().cwiseInverse()).cwiseSqrt().asDiagonal();
 
   constexpr int kSamples = 27;
   std::array<Vector3d, kSamples> offsets;

@@ -21,15 +21,17 @@ struct Proposal {
   double log_eta = 0.0;  // log of the integral of p(z | m, x) p(x | x_{t-1}, u) over x
 };
 
-// Evaluates p(z | m, x) p(x | x_{t-1}, u), of `model` and `motion_prior`, at samples around the scan matcher's optimum and fits a
-// Gaussian to it, eqs. (11) and (12); their weighted sum is eta, the factor of the importance weight.
+// Evaluates p(z | m, x) p(x | x_{t-1}, u), of `model` and `motion_prior`, at samples around the
+// scan matcher's optimum and fits a Gaussian to it, eqs. (11) and (12); their weighted sum is eta,
+// the factor of the importance weight.
 //
 // The region that the samples must cover differs in size by orders of magnitude: along a corridor a
 // scan says nothing, across it millimetres. Therefore they form a 3 x 3 x 3 lattice along the
 // principal axes of the target's curvature at the optimum, taken over a map cell, sqrt(3) standard
 // deviations to either side: wide where only the motion prior ends it.
 Proposal ComputeProposal(scan_matching::EndpointModel* model,
-                         const backend::SE2& optimum_world_T_robot, const PoseGaussian& motion_prior);
+                         const backend::SE2& optimum_world_T_robot,
+                         const PoseGaussian& motion_prior);
 
 // Eq. (13): draws a pose from N(mean, covariance).
 backend::SE2 Draw(const PoseGaussian& gaussian, backend::CounterRandom* random);

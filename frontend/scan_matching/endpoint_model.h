@@ -18,8 +18,8 @@ namespace gmapping_spa::scan_matching {
 class EndpointModel {
  public:
   struct Options {
-    double score_sigma_m = 0.158;        // of the score's kernel; wide, for a wide basin
-    double likelihood_sigma_m = 0.1;     // of a beam's end point, map errors included
+    double score_sigma_m = 0.05;         // of the score's kernel
+    double likelihood_sigma_m = 0.05;    // of a beam's end point, map errors included
     double unmatched_distance_m = 0.25;  // an unexplained beam counts as this far from its hit
   };
 
