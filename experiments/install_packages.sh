@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Installs the Debian 12 packages that the project needs, where they are missing and this user may.
+set -euo pipefail
+
+packages=(
+  # building
+  cmake g++ make ninja-build pkg-config
+  # libraries
+  libboost-dev libboost-iostreams-dev libcairo2-dev libeigen3-dev libgflags-dev
+  libgoogle-glog-dev libpng-dev librandom123-dev libssl-dev libstb-dev libyaml-cpp-dev
+  nlohmann-json3-dev
+  # tests and scripts
+  googletest libgmock-dev libgtest-dev python3
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
+  [[ $status == "install ok installed" ]] || missing+=("$package")
+done
+[[ ${#missing[@]} -eq 0 ]] && exit 0
+
+if [[ $(id -u) -eq 0 ]]; then
+  as_root=(env)
+elif command -v sudo >/dev/null && sudo -n true 2>/dev/null; then
+  as_root=(sudo)
+else
+  echo "These Debian packages are missing, and this user may not install them:" >&2
+  echo "  ${missing[*]}" >&2
+  echo "Ask an administrator to run: apt-get install ${missing[*]}" >&2
+  exit 1
+fi
+echo "Installing ${missing[*]}" >&2
+"${as_root[@]}" apt-get update -qq >&2
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2
