@@ -8,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ void InstallSignalHandlers() {
   action.sa_flags = SA_RESETHAND;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  // A file that exceeds the user's limit is then an error of the write, which is reported and
+  // leaves nothing behind, instead of the end of the process.
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGXFSZ, &action, nullptr);
 }
 
 // Prints the flags of the program without those of gflags and glog: the ones defined next to this
@@ -86,6 +91,9 @@ int RunApp(int argc, char** argv, const char* usage, const std::function<void()>
   } catch (const Interrupted&) {
     std::cerr << program << ": interrupted\n";
     status = 130;
+  } catch (const std::bad_alloc&) {
+    std::cerr << program << ": error: out of memory\n";
+    status = 1;
   } catch (const std::exception& error) {
     std::cerr << program << ": error: " << error.what() << '\n';
     status = 1;

@@ -2,6 +2,7 @@
 #include <gflags/gflags.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -30,6 +31,7 @@ namespace gmapping_spa::apps {
 namespace {
 
 struct Slam {
+  double occupied_threshold = OccupiedThresholdFromFlags();
   backend::PoseGraphRecorder graph;
   frontend::Gmapping gmapping;
 
@@ -45,10 +47,10 @@ std::int64_t CountLines(const std::string& path) {
   return std::count(std::istreambuf_iterator<char>(*in), {}, '\n');
 }
 
-sensor::LogCounts ProcessLog(frontend::Gmapping* gmapping) {
+sensor::LogCounts ProcessLog(const sensor::LogOptions& options, frontend::Gmapping* gmapping) {
   ProgressBar progress("slam", CountLines(FLAGS_log));
   const std::unique_ptr<sensor::LogReader> reader =
-      sensor::OpenCarmenLog(OpenInput(FLAGS_log), FLAGS_log, LogOptionsFromFlags());
+      sensor::OpenCarmenLog(OpenInput(FLAGS_log), FLAGS_log, options);
   while (const std::optional<sensor::LaserScan> scan = reader->Next()) {
     ThrowIfInterrupted();
     gmapping->AddScan(*scan);
@@ -60,8 +62,7 @@ sensor::LogCounts ProcessLog(frontend::Gmapping* gmapping) {
 void WriteResults(const Slam& slam, const sensor::LogCounts& log_counts, Stopwatch* stopwatch,
                   OutputFiles* files) {
   const backend::Trajectory trajectory = slam.gmapping.ScanTrajectory();
-  const map::TrinaryMap map =
-      map::BuildTrinaryMap(slam.gmapping.Map(), OccupiedThresholdFromFlags());
+  const map::TrinaryMap map = map::BuildTrinaryMap(slam.gmapping.Map(), slam.occupied_threshold);
   backend::PoseGraph graph = slam.graph.graph();
   const std::vector<backend::SE2> node_poses = slam.gmapping.NodePoses();
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) graph.nodes[i].world_T_node = node_poses[i];
@@ -83,12 +84,19 @@ void WriteResults(const Slam& slam, const sensor::LogCounts& log_counts, Stopwat
 void Run() {
   if (FLAGS_log.empty()) throw std::runtime_error("--log=FILE is missing");
   if (FLAGS_output_dir.empty()) throw std::runtime_error("--output_dir=DIR is missing");
+  // Pipes would be empty when they are read again: for the progress and for the hash.
+  if (std::filesystem::exists(FLAGS_log) && !std::filesystem::is_regular_file(FLAGS_log) &&
+      !std::filesystem::is_directory(FLAGS_log)) {
+    throw std::runtime_error(FLAGS_log + ": expected a regular file, which can be read repeatedly");
+  }
   Stopwatch stopwatch;
+  const sensor::LogOptions log_options = LogOptionsFromFlags();
   Slam slam;
   OutputFiles files(FLAGS_output_dir);
-  const sensor::LogCounts log_counts = ProcessLog(&slam.gmapping);
+  const sensor::LogCounts log_counts = ProcessLog(log_options, &slam.gmapping);
   stopwatch.Lap("processing_s");
   WriteResults(slam, log_counts, &stopwatch, &files);
+  ThrowIfInterrupted();
   files.Commit();
   const frontend::Gmapping::Counts& counts = slam.gmapping.counts();
   std::cout << counts.scans << " scans, " << counts.updates << " updates, " << counts.resamplings

@@ -2,9 +2,12 @@
 
 #include <gflags/gflags.h>
 
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <stdexcept>
+
+#include "experiments/apps/flag_checks.h"
 
 namespace {
 const gmapping_spa::sensor::LogOptions kDefaults;
@@ -27,12 +30,14 @@ DEFINE_string(bad_record, "skip", "What to do about records that cannot be used:
 namespace gmapping_spa::apps {
 namespace {
 
+constexpr double kMaxOffsetM = 100.0;  // of a laser from the middle of its robot
+
 std::optional<double> OptionalRadians(const std::string& flag, const std::string& degrees) {
   if (degrees.empty()) return std::nullopt;
   double value = 0.0;
   char rest = 0;
-  if (std::sscanf(degrees.c_str(), "%lf%c", &value, &rest) != 1) {
-    throw std::runtime_error("--" + flag + "=" + degrees + ": expected a number of degrees");
+  if (std::sscanf(degrees.c_str(), "%lf%c", &value, &rest) != 1 || !(std::abs(value) <= 360.0)) {
+    throw std::runtime_error("--" + flag + "=" + degrees + ": expected degrees, at most one turn");
   }
   return value * std::numbers::pi / 180.0;
 }
@@ -41,8 +46,8 @@ std::optional<double> OptionalRadians(const std::string& flag, const std::string
 
 sensor::LogOptions LogOptionsFromFlags() {
   sensor::LogOptions options;
-  options.usable_range_m = FLAGS_usable_range_m;
-  options.range_min_m = FLAGS_range_min_m;
+  options.usable_range_m = InRange("usable_range_m", FLAGS_usable_range_m, 0.01, 1000.0);
+  options.range_min_m = InRange("range_min_m", FLAGS_range_min_m, 0.0, options.usable_range_m);
   options.fov_rad = OptionalRadians("fov_deg", FLAGS_fov_deg);
   options.angle_min_rad = OptionalRadians("angle_min_deg", FLAGS_angle_min_deg);
   if (!FLAGS_laser_pose.empty()) {
@@ -50,14 +55,16 @@ sensor::LogOptions LogOptionsFromFlags() {
     char rest = 0;
     if (std::sscanf(FLAGS_laser_pose.c_str(), "%lf,%lf,%lf%c", &pose.x, &pose.y, &pose.theta,
                     &rest) != 3 ||
-        !pose.IsFinite()) {
-      throw std::runtime_error("--laser_pose=" + FLAGS_laser_pose + ": expected x,y,theta");
+        !(std::abs(pose.x) <= kMaxOffsetM && std::abs(pose.y) <= kMaxOffsetM &&
+          std::abs(pose.theta) <= 2.0 * std::numbers::pi)) {
+      throw std::runtime_error("--laser_pose=" + FLAGS_laser_pose +
+                               ": expected x,y,theta within 100 m and one turn");
     }
     options.robot_T_laser = pose;
   }
   options.flipped = FLAGS_laser_flipped;
-  options.reorder_window_s = FLAGS_reorder_window_s;
-  options.gap_s = FLAGS_gap_s;
+  options.reorder_window_s = InRange("reorder_window_s", FLAGS_reorder_window_s, 0.0, 1e6);
+  options.gap_s = InRange("gap_s", FLAGS_gap_s, 1e-6, 1e12);
   if (FLAGS_bad_record != "skip" && FLAGS_bad_record != "fail") {
     throw std::runtime_error("--bad_record=" + FLAGS_bad_record + ": expected skip or fail");
   }

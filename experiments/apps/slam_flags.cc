@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "experiments/apps/flag_checks.h"
+
 namespace {
 const gmapping_spa::frontend::Gmapping::Options kGmapping;
 const auto& kMotion = kGmapping.filter.motion;
@@ -64,16 +66,10 @@ DEFINE_double(motion_angular_floor_rad, kMotion.angular_floor_rad, "Noise withou
 namespace gmapping_spa::apps {
 namespace {
 
-// Both are false for NaN.
-double Positive(const char* name, double value) {
-  if (value > 0.0 && value < 1e9) return value;
-  throw std::runtime_error(std::string("--") + name + ": expected a positive number");
-}
+// Limits are wide, but such that no value can overflow a cell index or ask for endless work.
+double Positive(const char* name, double value) { return InRange(name, value, 1e-6, 1e6); }
 
-double NotNegative(const char* name, double value) {
-  if (value >= 0.0 && value < 1e9) return value;
-  throw std::runtime_error(std::string("--") + name + ": expected a number, 0 or more");
-}
+double NotNegative(const char* name, double value) { return InRange(name, value, 0.0, 1e6); }
 
 }  // namespace
 
@@ -85,13 +81,13 @@ frontend::Gmapping::Options GmappingOptionsFromFlags() {
   options.linear_update_m = NotNegative("linear_update_m", FLAGS_linear_update_m);
   options.angular_update_rad = NotNegative("angular_update_rad", FLAGS_angular_update_rad);
   particle_filter::ParticleFilter::Options& filter = options.filter;
-  filter.particles = static_cast<int>(Positive("particles", FLAGS_particles));
-  filter.threads = static_cast<int>(Positive("threads", FLAGS_threads));
+  filter.particles = InRange("particles", FLAGS_particles, 1, 100000);
+  filter.threads = InRange("threads", FLAGS_threads, 1, 1024);
   filter.seed = FLAGS_seed;
   filter.resample_threshold = NotNegative("resample_threshold", FLAGS_resample_threshold);
-  filter.initial_guesses = static_cast<int>(NotNegative("initial_guesses", FLAGS_initial_guesses));
+  filter.initial_guesses = InRange("initial_guesses", FLAGS_initial_guesses, 0, 100000);
   filter.obs_sigma_gain = Positive("obs_sigma_gain", FLAGS_obs_sigma_gain);
-  filter.grid.resolution_m = Positive("resolution_m", FLAGS_resolution_m);
+  filter.grid.resolution_m = InRange("resolution_m", FLAGS_resolution_m, 0.005, 10.0);
   filter.grid.full_threshold = NotNegative("full_threshold", FLAGS_full_threshold);
   filter.registration.no_return_clears = FLAGS_no_return_clears;
   filter.endpoint = EndpointOptionsFromFlags();
@@ -113,14 +109,16 @@ frontend::Gmapping::Options GmappingOptionsFromFlags() {
 scan_matching::HillClimbing::Options HillClimbingOptionsFromFlags() {
   return {.linear_step_m = Positive("match_linear_step_m", FLAGS_match_linear_step_m),
           .angular_step_rad = Positive("match_angular_step_rad", FLAGS_match_angular_step_rad),
-          .halvings = static_cast<int>(NotNegative("match_halvings", FLAGS_match_halvings)),
+          .halvings = InRange("match_halvings", FLAGS_match_halvings, 0, 50),
           .min_score = NotNegative("match_min_score", FLAGS_match_min_score)};
 }
 
 scan_matching::EndpointModel::Options EndpointOptionsFromFlags() {
-  return {.score_sigma_m = Positive("score_sigma_m", FLAGS_score_sigma_m),
-          .likelihood_sigma_m = Positive("likelihood_sigma_m", FLAGS_likelihood_sigma_m),
-          .unmatched_distance_m = Positive("unmatched_distance_m", FLAGS_unmatched_distance_m)};
+  return {
+      .score_sigma_m = InRange("score_sigma_m", FLAGS_score_sigma_m, 1e-3, 100.0),
+      .likelihood_sigma_m = InRange("likelihood_sigma_m", FLAGS_likelihood_sigma_m, 1e-3, 100.0),
+      .unmatched_distance_m =
+          InRange("unmatched_distance_m", FLAGS_unmatched_distance_m, 1e-3, 100.0)};
 }
 
 double OccupiedThresholdFromFlags() {
