@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,12 @@ void InstallSignalHandlers() {
   sigaction(SIGXFSZ, &action, nullptr);
 }
 
+std::string ShortNumber(const std::string& number) {
+  std::ostringstream out;
+  out << std::stod(number);
+  return out.str();
+}
+
 // Prints the flags of the program without those of gflags and glog: the ones defined next to this
 // file.
 void PrintHelp(const std::string& program) {
@@ -47,8 +54,12 @@ void PrintHelp(const std::string& program) {
   std::cout << program << ": " << gflags::ProgramUsage() << "\n\nFlags:\n";
   std::vector<gflags::CommandLineFlagInfo> flags;
   gflags::GetAllFlags(&flags);
-  for (const gflags::CommandLineFlagInfo& flag : flags) {
+  for (gflags::CommandLineFlagInfo& flag : flags) {
     if (std::filesystem::path(flag.filename).parent_path() == apps_folder) {
+      if (flag.type == "double") {  // gflags would print 0.05 as 0.050000000000000003
+        flag.default_value = ShortNumber(flag.default_value);
+        flag.current_value = ShortNumber(flag.current_value);
+      }
       std::cout << gflags::DescribeOneFlag(flag);
     }
   }

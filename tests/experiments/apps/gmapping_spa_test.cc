@@ -186,6 +186,13 @@ TEST_F(GmappingSpaApp, RunRecordTellsWhatWasRunOnWhat) {
   EXPECT_GT(record["resources"]["processing_s"], 0.0);
 }
 
+TEST_F(GmappingSpaApp, HelpShowsDefaultsAsTheyAreWritten) {
+  const CommandResult help = RunCommand({GMAPPING_SPA, "--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_THAT(help.out, ::testing::HasSubstr("default: 0.05\n"));
+  EXPECT_THAT(help.out, ::testing::Not(::testing::HasSubstr("0.0500000")));
+}
+
 TEST_F(GmappingSpaApp, SecondRunGivesTheSameBytes) {
   ASSERT_EQ(RunCommand(Command(folder_.path())).status, 0);
   ExpectSameResult(folder_.path());
