@@ -1,0 +1,117 @@
+#include "frontend/map/cell_block.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+#include "backend/counter_random.h"
+
+namespace gmapping_spa::map {
+namespace {
+
+constexpr double kFullThreshold = 0.3;
+
+using Points = std::vector<std::pair<float, float>>;
+
+// A patch of hits around a corner where tiles meet; `density` of its cells are full.
+OccupancyGrid RandomGrid(std::uint64_t seed, double density) {
+  OccupancyGrid grid({.resolution_m = 0.05, .full_threshold = kFullThreshold});
+  backend::CounterRandom random(seed, 0);
+  for (int y = -12; y < 12; ++y) {
+    for (int x = -12; x < 12; ++x) {
+      if (random.Uniform() < density) grid.AddHit(x + random.Uniform(), y + random.Uniform());
+    }
+  }
+  for (int i = 0; i < 40; ++i) {  // makes some of them not full again
+    const CellIndex at{static_cast<int>(24 * random.Uniform()) - 12,
+                       static_cast<int>(24 * random.Uniform()) - 12};
+    for (int pass = 0; pass < 4; ++pass) grid.AddPasses(at, {at.x + 1, at.y});
+  }
+  return grid;
+}
+
+bool IsFull(const OccupancyGrid& grid, CellIndex index) {
+  const Cell& cell = grid.cell(index);
+  return cell.hits > kFullThreshold * cell.visits;
+}
+
+Points BruteForce(const OccupancyGrid& grid, CellIndex index, int dx, int dy) {
+  Points points;
+  for (int y = -1; y <= 1; ++y) {
+    for (int x = -1; x <= 1; ++x) {
+      const CellIndex at{index.x + x, index.y + y};
+      if (!IsFull(grid, at) || IsFull(grid, {at.x + dx, at.y + dy})) continue;
+      const Cell& cell = grid.cell(at);
+      points.emplace_back(static_cast<float>(x + cell.mean_x / 65536.0),
+                          static_cast<float>(y + cell.mean_y / 65536.0));
+    }
+  }
+  return points;
+}
+
+TEST(CellBlock, FindsWhatTheGridHoldsInEveryDirection) {
+  int found = 0, blocked = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const OccupancyGrid grid = RandomGrid(seed, 0.1 + 0.04 * static_cast<double>(seed));
+    for (const CellIndex centre : {CellIndex{0, 0}, {-3, 2}, {5, -6}, {-11, 11}, {2, 12}}) {
+      CellBlock block;
+      block.CopyFrom(grid, centre);
+      ASSERT_TRUE(block.Covers(centre));
+      for (int y = centre.y - 4; y <= centre.y + 4; ++y) {
+        for (int x = centre.x - 4; x <= centre.x + 4; ++x) {
+          if (!block.Covers({x, y})) continue;
+          for (int direction = 0; direction < 9; ++direction) {
+            const int dx = direction % 3 - 1, dy = direction / 3 - 1;
+            Points points;
+            block.ForEachFullNeighbour({x, y}, dx, dy,
+                                       [&](float mx, float my) { points.emplace_back(mx, my); });
+            const Points expected = BruteForce(grid, {x, y}, dx, dy);
+            ASSERT_THAT(points, testing::UnorderedElementsAreArray(expected))
+                << "seed " << seed << " at " << x << " " << y << " toward " << dx << " " << dy;
+            found += !points.empty();
+            blocked += points.empty() && IsFull(grid, {x, y});
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(found, 1000);
+  EXPECT_GT(blocked, 500);
+}
+
+TEST(CellBlock, CoversTheCellsThatHaveTwoMoreToEverySide) {
+  CellBlock block;
+  block.CopyFrom(OccupancyGrid({}), {100, -200});
+  int covered = 0;
+  for (int y = -220; y < -180; ++y) {
+    for (int x = 80; x < 120; ++x) covered += block.Covers({x, y});
+  }
+  EXPECT_EQ(covered, 16);  // 4 x 4 of 8 x 8
+  EXPECT_TRUE(block.Covers({99, -201}));
+  EXPECT_TRUE(block.Covers({101, -199}));
+}
+
+TEST(CellBlock, CoversNothingBeforeTheFirstCopy) {
+  CellBlock block;
+  for (const int x : {-kMaxCellIndex, -1, 0, 1, kMaxCellIndex}) {
+    EXPECT_FALSE(block.Covers({x, 0}));
+    EXPECT_FALSE(block.Covers({x, x}));
+  }
+}
+
+TEST(CellBlock, ForgetsTheBlockBefore) {
+  OccupancyGrid grid({});
+  grid.AddHit(0.5, 0.5);
+  CellBlock block;
+  block.CopyFrom(grid, {0, 0});
+  block.CopyFrom(grid, {50, 50});
+  EXPECT_FALSE(block.Covers({0, 0}));
+  int found = 0;
+  block.ForEachFullNeighbour({50, 50}, 1, 0, [&](float, float) { ++found; });
+  EXPECT_EQ(found, 0);
+}
+
+}  // namespace
+}  // namespace gmapping_spa::map
