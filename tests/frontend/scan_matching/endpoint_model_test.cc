@@ -1,0 +1,152 @@
+#include "frontend/scan_matching/endpoint_model.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "backend/counter_random.h"
+#include "tests/frontend/room_map.h"
+
+namespace gmapping_spa::scan_matching {
+namespace {
+
+using backend::SE2;
+
+constexpr double kFullThreshold = 0.1;  // the grid's default
+
+bool IsFull(const map::OccupancyGrid& grid, map::CellIndex index) {
+  const map::Cell& cell = grid.cell(index);
+  return cell.hits > kFullThreshold * cell.visits;
+}
+
+// Squared distance, in m^2, from the end point to the nearest hit mean that explains it, taken from
+// the map cell by cell.
+std::optional<double> SquaredDistance(const map::OccupancyGrid& grid, const ScanPoint& point,
+                                      const SE2& world_T_robot) {
+  const double resolution_m = grid.resolution_m();
+  const Eigen::Vector2d end = world_T_robot * Eigen::Vector2d(point.x_m, point.y_m);
+  const Eigen::Vector2d back =
+      SE2{0, 0, world_T_robot.theta} * Eigen::Vector2d(point.back_x, point.back_y);
+  const auto step = [](double component) {
+    return component > 0.5 ? 1 : component < -0.5 ? -1 : 0;
+  };
+  const int x = static_cast<int>(std::floor(end.x() / resolution_m));
+  const int y = static_cast<int>(std::floor(end.y() / resolution_m));
+  std::optional<double> nearest;
+  for (int at_x = x - 1; at_x <= x + 1; ++at_x) {
+    for (int at_y = y - 1; at_y <= y + 1; ++at_y) {
+      if (!IsFull(grid, {at_x, at_y})) continue;
+      if (IsFull(grid, {at_x + step(back.x()), at_y + step(back.y())})) continue;
+      const map::Cell& cell = grid.cell({at_x, at_y});
+      const Eigen::Vector2d mean((at_x + cell.mean_x / 65536.0) * resolution_m,
+                                 (at_y + cell.mean_y / 65536.0) * resolution_m);
+      const double squared = (end - mean).squaredNorm();
+      if (!nearest || squared < *nearest) nearest = squared;
+    }
+  }
+  return nearest;
+}
+
+class RandomPoses : public testing::Test {
+ protected:
+  // A pose up to `spread` away from where the scan was taken.
+  SE2 Pose(double spread) {
+    const auto offset = [&] { return spread * (2.0 * random_.Uniform() - 1.0); };
+    return {scan_pose_.x + offset(), scan_pose_.y + offset(), scan_pose_.theta + offset()};
+  }
+
+  const map::OccupancyGrid grid_ = synthetic::RoomMap();
+  const SE2 scan_pose_{0.4, -0.3, 0.8};
+  const ScanPoints points_ = MakeScanPoints(synthetic::Scan(synthetic::Room(), scan_pose_));
+  const EndpointModel::Options options_{
+      .score_sigma_m = 0.04, .likelihood_sigma_m = 0.06, .unmatched_distance_m = 0.05};
+  EndpointModel model_{options_, &grid_, &points_};
+  backend::CounterRandom random_{7, 0};
+};
+
+TEST_F(RandomPoses, ScoreIsThatOfTheMapItself) {
+  double best = 0.0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const SE2 pose = Pose(trial % 2 == 0 ? 0.1 : 1.0);
+    double expected = 0.0;
+    for (const ScanPoint& point : points_) {
+      const std::optional<double> squared = SquaredDistance(grid_, point, pose);
+      if (squared) expected += std::exp(-0.5 * *squared / (0.04 * 0.04));
+    }
+    expected /= static_cast<double>(points_.size());
+    ASSERT_NEAR(model_.Score(pose), expected, 1e-5);
+    best = std::max(best, expected);
+  }
+  EXPECT_GT(best, 0.5);
+}
+
+TEST_F(RandomPoses, LogLikelihoodIsThatOfTheMapItself) {
+  for (int trial = 0; trial < 400; ++trial) {
+    const SE2 pose = Pose(trial % 2 == 0 ? 0.1 : 1.0);
+    double expected = 0.0;
+    for (const ScanPoint& point : points_) {
+      const double limit = 0.05 * 0.05;
+      const double squared = SquaredDistance(grid_, point, pose).value_or(limit);
+      expected -= 0.5 * std::min(squared, limit) / (0.06 * 0.06);
+    }
+    ASSERT_NEAR(model_.LogLikelihood(pose), expected, 1e-4);
+  }
+}
+
+TEST_F(RandomPoses, GivingUpHalfWayNeverChangesTheComparison) {
+  int given_up = 0, kept = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const SE2 pose = Pose(trial % 2 == 0 ? 0.05 : 0.3);
+    const double score = model_.Score(pose);
+    const double at_least = trial % 5 == 0 ? score : random_.Uniform();
+    const double with_limit = model_.Score(pose, at_least);
+    if (score >= at_least) {
+      ASSERT_EQ(with_limit, score);
+      ++kept;
+    } else {
+      ASSERT_LT(with_limit, at_least);
+      given_up += with_limit != score;
+    }
+  }
+  EXPECT_GT(kept, 200);
+  EXPECT_GT(given_up, 200);
+}
+
+TEST_F(RandomPoses, ScoreIsNearlyOneAtTheTruthAndLessAside) {
+  const double truth = model_.Score(scan_pose_);
+  EXPECT_GT(truth, 0.8);
+  EXPECT_LT(model_.Score(scan_pose_ * SE2{0.1, 0, 0}), truth - 0.1);
+  EXPECT_LT(model_.Score(scan_pose_ * SE2{0, 0, 0.05}), truth - 0.1);
+}
+
+TEST(EndpointModel, ScanWithoutPointsScoresNothing) {
+  const map::OccupancyGrid grid = synthetic::RoomMap();
+  const ScanPoints none;
+  EndpointModel model({}, &grid, &none);
+  EXPECT_EQ(model.Score({}), 0.0);
+  EXPECT_EQ(model.LogLikelihood({}), 0.0);
+}
+
+TEST(EndpointModel, EveryBeamIsUnmatchedOnAnEmptyMap) {
+  const map::OccupancyGrid grid({});
+  const ScanPoints points(10, {1.0, 0.0, -1.0, 0.0});
+  EndpointModel model({.likelihood_sigma_m = 0.1, .unmatched_distance_m = 0.2}, &grid, &points);
+  EXPECT_EQ(model.Score({}), 0.0);
+  EXPECT_NEAR(model.LogLikelihood({}), -10 * 0.5 * 4.0, 1e-9);
+}
+
+TEST(EndpointModel, WallIsSeenFromItsOwnSide) {
+  // A wall two cells thick; the laser is to its left, so only the left cell explains a beam.
+  map::OccupancyGrid grid({.resolution_m = 0.1});
+  grid.AddHit(10.5, 0.5);
+  grid.AddHit(11.5, 0.5);
+  const ScanPoints points = {{1.15, 0.05, -1.0, 0.0}};
+  EndpointModel model({.likelihood_sigma_m = 0.1, .unmatched_distance_m = 1.0}, &grid, &points);
+  EXPECT_NEAR(model.LogLikelihood({}), -0.5, 1e-4);
+}
+
+}  // namespace
+}  // namespace gmapping_spa::scan_matching
