@@ -1,0 +1,179 @@
+#include "frontend/gmapping.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "frontend/scan_matching/hill_climbing.h"
+#include "tests/frontend/synthetic_room.h"
+
+namespace gmapping_spa::frontend {
+namespace {
+
+using backend::PoseGraph;
+using backend::SE2;
+
+class GmappingTest : public testing::Test {
+ protected:
+  void Start(double linear_update_m, double angular_update_rad) {
+    Gmapping::Options options;
+    options.linear_update_m = linear_update_m;
+    options.angular_update_rad = angular_update_rad;
+    options.filter.particles = 3;
+    options.filter.initial_guesses = 3;
+    gmapping_ = std::make_unique<Gmapping>(
+        options,
+        std::make_shared<scan_matching::HillClimbing>(scan_matching::HillClimbing::Options{},
+                                                      options.filter.endpoint),
+        &recorder_);
+  }
+
+  // Adds a scan and tells whether it led to an update.
+  bool Add(const SE2& world_T_robot) {
+    sensor::LaserScan scan = synthetic::Scan(synthetic::Room(), world_T_robot, {.beams = 91});
+    scan.index = next_index_++;
+    scan.stamp_s = 0.1 * static_cast<double>(scan.index);
+    scan.odom_T_robot = odom_T_world_ * world_T_robot;
+    const std::int64_t before = gmapping_->counts().updates;
+    gmapping_->AddScan(scan);
+    return gmapping_->counts().updates > before;
+  }
+
+  // Some curve with four updates after the first.
+  void AddDrive() {
+    Start(0.5, 10.0);
+    for (int i = 0; i <= 17; ++i) {
+      Add({0.125 * i, 0.02 * i, 0.05 * i});
+    }
+  }
+
+  const SE2 odom_T_world_{30, -20, 2.0};
+  std::int64_t next_index_ = 0;
+  backend::PoseGraphRecorder recorder_;
+  std::unique_ptr<Gmapping> gmapping_;
+};
+
+TEST_F(GmappingTest, UpdatesWithTheFirstScanAndWhenItHasDrivenFarEnough) {
+  Start(0.5, 0.25);
+  std::vector<bool> updates;
+  for (const double x : {0.0, 0.25, 0.4375, 0.5625, 0.8125, 1.0, 1.125})
+    updates.push_back(Add({x, 0, 0}));
+  EXPECT_EQ(updates, (std::vector<bool>{true, false, false, true, false, false, true}));
+}
+
+TEST_F(GmappingTest, UpdatesWhenItHasTurnedFarEnough) {
+  Start(0.5, 0.25);
+  std::vector<bool> updates;
+  for (const double theta : {0.0, 0.1, 0.24, 0.26, 0.4, 0.5, 0.52})
+    updates.push_back(Add({0, 0, theta}));
+  EXPECT_EQ(updates, (std::vector<bool>{true, false, false, true, false, false, true}));
+}
+
+TEST_F(GmappingTest, WayThereAndBackCounts) {
+  Start(0.5, 10.0);
+  EXPECT_TRUE(Add({0, 0, 0}));
+  EXPECT_FALSE(Add({0.3, 0, 0}));
+  EXPECT_TRUE(Add({0.05, 0, 0}));
+}
+
+TEST_F(GmappingTest, ThresholdsOfZeroUpdateWithEveryScan) {
+  Start(0.0, 0.0);
+  for (int i = 0; i < 4; ++i) EXPECT_TRUE(Add({0, 0, 0}));
+}
+
+TEST_F(GmappingTest, GraphIsAChainOfOneNodeAnUpdate) {
+  AddDrive();
+  const PoseGraph& graph = recorder_.graph();
+  const std::int64_t updates = gmapping_->counts().updates;
+  ASSERT_GE(updates, 4);
+  ASSERT_EQ(graph.nodes.size(), static_cast<std::size_t>(updates));
+  ASSERT_EQ(graph.edges.size(), static_cast<std::size_t>(updates - 1));
+  for (std::int64_t i = 0; i < updates; ++i) EXPECT_EQ(graph.nodes[i].id, i);
+  EXPECT_TRUE((graph.nodes[0].world_T_node == SE2{}));
+  for (std::int64_t i = 0; i + 1 < updates; ++i) {
+    EXPECT_EQ(graph.edges[i].i, i);
+    EXPECT_EQ(graph.edges[i].j, i + 1);
+    EXPECT_EQ(graph.edges[i].kind, backend::EdgeKind::kScanMatch);
+    EXPECT_LT(graph.nodes[i].stamp_s, graph.nodes[i + 1].stamp_s);
+  }
+}
+
+TEST_F(GmappingTest, InformationIsSymmetricAndPositiveDefinite) {
+  AddDrive();
+  for (const backend::Edge& edge : recorder_.graph().edges) {
+    EXPECT_TRUE(edge.information == edge.information.transpose());
+    EXPECT_EQ(edge.information.llt().info(), Eigen::Success);
+    EXPECT_GT(edge.information(0, 0), 1.0 / (0.1 * 0.1));
+  }
+}
+
+TEST_F(GmappingTest, InformationIsInTheFrameOfTheNodeTheEdgeStartsAt) {
+  // Blind scans: the motion model's covariance remains, which is diagonal in the robot's frame.
+  Start(0.5, 10.0);
+  sensor::LaserScan scan;
+  for (const SE2& pose : {SE2{0, 0, 0}, SE2{0.5, 0, 0.9}, SE2{0.5, 0, 0.9} * SE2{1, 0, 0}}) {
+    scan.odom_T_robot = pose;
+    gmapping_->AddScan(scan);
+  }
+  ASSERT_EQ(recorder_.graph().edges.size(), 2u);
+  const backend::Edge& edge = recorder_.graph().edges[1];
+  EXPECT_EQ(edge.kind, backend::EdgeKind::kOdometry);
+  const Eigen::Vector3d sigmas = particle_filter::MotionModel({}).Sigmas({1, 0, 0});
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(edge.information(i, i) * sigmas[i] * sigmas[i], 1.0, 1e-6);
+    EXPECT_NEAR(edge.information(i, (i + 1) % 3), 0.0, 1e-6);
+  }
+}
+
+TEST_F(GmappingTest, EdgesMeasureWhatIsBetweenTheNodes) {
+  AddDrive();
+  const PoseGraph& graph = recorder_.graph();
+  const std::vector<SE2> poses = gmapping_->NodePoses();
+  ASSERT_EQ(poses.size(), graph.nodes.size());
+  EXPECT_TRUE(poses.back() == graph.nodes.back().world_T_node);
+  for (std::size_t i = 0; i < graph.edges.size(); ++i) {
+    // The best particle may change on the way, by no more than the particles differ.
+    const SE2 off = Between(graph.edges[i].i_T_j, Between(poses[i], poses[i + 1]));
+    EXPECT_LT(off.translation().norm(), 0.03) << i;
+    EXPECT_LT(std::abs(off.theta), 0.01) << i;
+  }
+}
+
+TEST_F(GmappingTest, TrajectoryHasAPoseForEveryScanInTheFrameOfTheFirst) {
+  AddDrive();
+  const backend::Trajectory trajectory = gmapping_->ScanTrajectory();
+  ASSERT_EQ(trajectory.size(), 18u);
+  EXPECT_EQ(gmapping_->counts().scans, 18);
+  EXPECT_LT(Log(trajectory[0].world_T_robot).norm(), 1e-12);
+  for (int i = 0; i < 18; ++i) {
+    const SE2 truth{0.125 * i, 0.02 * i, 0.05 * i};
+    EXPECT_DOUBLE_EQ(trajectory[i].stamp_s, 0.1 * i);
+    EXPECT_LT(Between(truth, trajectory[i].world_T_robot).translation().norm(), 0.05) << i;
+  }
+  EXPECT_GT(gmapping_->Map().CountTiles(), 20u);
+}
+
+TEST_F(GmappingTest, RefusesOdometryThatJumpsOffTheMap) {
+  for (const double jump_m : {2e4, -1e9, 1e300}) {
+    next_index_ = 0;
+    Start(0.5, 10.0);
+    Add({0, 0, 0});
+    sensor::LaserScan scan = synthetic::Scan(synthetic::Room(), {});
+    scan.index = 17;
+    scan.odom_T_robot = odom_T_world_ * SE2{jump_m, 0, 0};
+    try {
+      gmapping_->AddScan(scan);
+      FAIL() << jump_m;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find("scan 17"), std::string::npos) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gmapping_spa::frontend
