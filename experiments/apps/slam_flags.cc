@@ -50,7 +50,9 @@ DEFINE_double(score_sigma_m, kEndpoint.score_sigma_m,
               "Width of the kernel by which hill climbing scores a beam.");
 DEFINE_double(likelihood_sigma_m, kEndpoint.likelihood_sigma_m,
               "Standard deviation of a beam's end point in the likelihood.");
-DEFINE_double(unmatched_distance_m, kEndpoint.unmatched_distance_m,
+DEFINE_double(likelihood_gain, kEndpoint.likelihood_gain,
+              "Exponent of the likelihood of a scan: less than 1 as beams are not independent.");
+DEFINE_double(unmatched_sigmas, kEndpoint.unmatched_sigmas,
               "A beam that the map does not explain counts as this far off.");
 
 DEFINE_double(motion_linear_per_linear, kMotion.linear_per_linear, "Noise, m per m driven.");
@@ -117,8 +119,8 @@ scan_matching::EndpointModel::Options EndpointOptionsFromFlags() {
   return {
       .score_sigma_m = InRange("score_sigma_m", FLAGS_score_sigma_m, 1e-3, 100.0),
       .likelihood_sigma_m = InRange("likelihood_sigma_m", FLAGS_likelihood_sigma_m, 1e-3, 100.0),
-      .unmatched_distance_m =
-          InRange("unmatched_distance_m", FLAGS_unmatched_distance_m, 1e-3, 100.0)};
+      .unmatched_sigmas = InRange("unmatched_sigmas", FLAGS_unmatched_sigmas, 1e-3, 100.0),
+      .likelihood_gain = InRange("likelihood_gain", FLAGS_likelihood_gain, 1e-6, 1e6)};
 }
 
 double OccupiedThresholdFromFlags() {

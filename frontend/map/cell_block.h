@@ -39,13 +39,13 @@ class CellBlock {
 
   // Calls visit(x, y) with the hit mean, in cells relative to the corner of the cell `index`, of
   // every full cell of its 3 x 3 neighbourhood whose own neighbour in direction (dx, dy), each -1,
-  // 0 or 1, is not full.
+  // 0 or 1, is not full; of every full cell when both are 0.
   template <typename Visit>
   void ForEachFullNeighbour(CellIndex index, int dx, int dy, const Visit& visit) const {
     const int column = index.x - corner_.x, row = index.y - corner_.y;
     constexpr std::uint64_t kThreeByThree = 0x070707;
     const int toward = kSize * dy + dx;
-    const std::uint64_t blocked = toward >= 0 ? full_ >> toward : full_ << -toward;
+    const std::uint64_t blocked = toward == 0 ? 0 : toward > 0 ? full_ >> toward : full_ << -toward;
     std::uint64_t rest = full_ & ~blocked & kThreeByThree << (kSize * (row - 1) + column - 1);
     for (; rest != 0; rest &= rest - 1) {
       const int bit = std::countr_zero(rest);

@@ -2,36 +2,22 @@
 
 #include <glog/logging.h>
 
-#include <unsupported/Eigen/CXX11/ThreadPool>
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <vector>
 
 namespace gmapping_spa::particle_filter {
 
-struct ParallelFor::Pool {
-  // Waiting threads sleep: spinning would count as CPU time of the filter.
-  explicit Pool(int threads) : eigen(threads, /*allow_spinning=*/false) {}
-  Eigen::ThreadPool eigen;
-};
-
-ParallelFor::ParallelFor(int threads) {
+void ParallelFor(int threads, int count, const std::function<void(int)>& work) {
   CHECK_GE(threads, 1);
-  if (threads > 1) pool_ = std::make_unique<Pool>(threads);
-}
-
-ParallelFor::~ParallelFor() = default;
-
-void ParallelFor::operator()(int count, const std::function<void(int)>& work) {
-  if (!pool_) {
-    for (int i = 0; i < count; ++i) work(i);
-    return;
-  }
-  Eigen::Barrier done(count);
-  for (int i = 0; i < count; ++i) {
-    pool_->eigen.Schedule([&work, &done, i] {
-      work(i);
-      done.Notify();
-    });
-  }
-  done.Wait();
+  std::atomic<int> next = 0;
+  const auto take_items = [&] {
+    for (int i = next++; i < count; i = next++) work(i);
+  };
+  std::vector<std::jthread> others;
+  for (int i = 1; i < std::min(threads, count); ++i) others.emplace_back(take_items);
+  take_items();
 }
 
 }  // namespace gmapping_spa::particle_filter

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "frontend/particle_filter/parallel_for.h"
 #include "frontend/particle_filter/proposal.h"
 #include "frontend/particle_filter/resampling.h"
 
@@ -38,11 +39,9 @@ class Stopwatch {
 
 ParticleFilter::ParticleFilter(const Options& options,
                                std::shared_ptr<const scan_matching::ScanMatcher> matcher)
-    : options_(options),
-      matcher_(std::move(matcher)),
-      motion_model_(options.motion),
-      for_each_particle_(std::min(options.threads, options.particles)) {
+    : options_(options), matcher_(std::move(matcher)), motion_model_(options.motion) {
   CHECK_GE(options.particles, 1);
+  CHECK_GE(options.threads, 1);
   CHECK_GT(options.obs_sigma_gain, 0.0);
 }
 
@@ -63,8 +62,8 @@ ParticleFilter::Update ParticleFilter::Advance(const sensor::LaserScan& scan,
   {
     const Stopwatch stopwatch(&times_.matching_s);
     const scan_matching::ScanPoints points = scan_matching::MakeScanPoints(scan);
-    for_each_particle_(options_.particles,
-                       [&](int index) { Move(points, odometry_increment, index); });
+    ParallelFor(options_.threads, options_.particles,
+                [&](int index) { Move(points, odometry_increment, index); });
   }
   for (Particle& particle : particles_) {
     update.failed_matches += particle.step.matched ? 0 : 1;
@@ -148,7 +147,7 @@ std::vector<int> ParticleFilter::ChooseAncestors(Update* update) {
 void ParticleFilter::Register(const sensor::LaserScan& scan, const std::vector<int>& ancestors) {
   std::vector<int> survivors;
   std::unique_copy(ancestors.begin(), ancestors.end(), std::back_inserter(survivors));
-  for_each_particle_(static_cast<int>(survivors.size()), [&](int i) {
+  ParallelFor(options_.threads, static_cast<int>(survivors.size()), [&](int i) {
     Particle& particle = particles_[survivors[i]];
     map::RegisterScan(scan, particle.world_T_robot, options_.registration, &particle.map);
   });

@@ -10,7 +10,6 @@
 #include "frontend/map/occupancy_grid.h"
 #include "frontend/map/scan_registration.h"
 #include "frontend/particle_filter/motion_model.h"
-#include "frontend/particle_filter/parallel_for.h"
 #include "frontend/particle_filter/particle.h"
 #include "frontend/scan_matching/endpoint_model.h"
 #include "frontend/scan_matching/scan_matcher.h"
@@ -32,7 +31,7 @@ class ParticleFilter {
     // motion model.
     int initial_guesses = 20;
     // Weights are p(z)^(1 / (gain * particles)), as in GMapping.
-    double obs_sigma_gain = 3.0;
+    double obs_sigma_gain = 1.0;
     MotionModel::Options motion;
     map::OccupancyGrid::Options grid;
     map::RegistrationOptions registration;
@@ -81,7 +80,6 @@ class ParticleFilter {
   Options options_;
   std::shared_ptr<const scan_matching::ScanMatcher> matcher_;
   MotionModel motion_model_;
-  ParallelFor for_each_particle_;
   std::vector<Particle> particles_;
   TrajectoryTree tree_;
   std::uint32_t step_ = 0;  // addresses the random numbers

@@ -54,16 +54,20 @@ Proposal ComputeProposal(scan_matching::EndpointModel* model, const SE2& optimum
   const double log_prior_scale =
       -0.5 * std::log(motion_prior.covariance.determinant()) - 1.5 * std::log(2 * std::numbers::pi);
 
-  // Steps of a cell make the unknowns comparable.
-  const Vector3d step(model->resolution_m(), model->resolution_m(), kAngularStep_rad);
-  const Matrix3d information = Curvature([&](const Vector3d& q) {
-                                 return model->LogLikelihood(Moved(optimum, step.cwiseProduct(q)));
-                               }) +
-                               Matrix3d(step.asDiagonal() * prior_information * step.asDiagonal());
-  const SymmetricEigenSolver eigen(information);
-  // Columns: one lattice step along each principal axis.
-  const Matrix3d lattice = step.asDiagonal() * eigen.eigenvectors() *
-                           (3.0 * eigen.eigenvalues().cwiseInverse()).cwiseSqrt().asDiagonal();
+  // Columns: a standard deviation along each principal axis of the target. The first pass probes a
+  // cell far, too coarse across a wall; the second one probes where the first one ended.
+  Matrix3d axes =
+      Vector3d(model->resolution_m(), model->resolution_m(), kAngularStep_rad).asDiagonal();
+  for (int pass = 0; pass < 2; ++pass) {
+    const Matrix3d information = Curvature([&](const Vector3d& q) {
+                                   return model->LogLikelihood(Moved(optimum, axes * q));
+                                 }) +
+                                 axes.transpose() * prior_information * axes;
+    const SymmetricEigenSolver eigen(information);
+    axes =
+        axes * eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().cwiseSqrt().asDiagonal();
+  }
+  const Matrix3d lattice = std::numbers::sqrt3 * axes;
 
   constexpr int kSamples = 27;
   std::array<Vector3d, kSamples> offsets;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "frontend/scan_matching/local_surface.h"
+
 namespace gmapping_spa::scan_matching {
 
 using map::CellIndex;
@@ -13,10 +15,8 @@ using map::FloorToCell;
 
 namespace {
 
-constexpr float kNothing = std::numeric_limits<float>::infinity();
-
-// The component of a unit vector, rounded to the grid's eight directions.
-int Sign(double component) { return (component > 0.5) - (component < -0.5); }
+// A component of a unit vector, rounded to the eight directions of a grid.
+int Rounded(double component) { return (component > 0.5) - (component < -0.5); }
 
 }  // namespace
 
@@ -25,11 +25,13 @@ EndpointModel::EndpointModel(const Options& options, const map::OccupancyGrid* g
     : grid_(grid), points_(points), blocks_(points->size()) {
   CHECK_GT(options.score_sigma_m, 0.0);
   CHECK_GT(options.likelihood_sigma_m, 0.0);
-  CHECK_GT(options.unmatched_distance_m, 0.0);
+  CHECK_GT(options.unmatched_sigmas, 0.0);
+  CHECK_GT(options.likelihood_gain, 0.0);
   const double resolution_m = grid->resolution_m();
   score_scale_ = -0.5 * std::pow(resolution_m / options.score_sigma_m, 2);
-  likelihood_scale_ = -0.5 * std::pow(resolution_m / options.likelihood_sigma_m, 2);
-  unmatched_squared_cells_ = std::pow(options.unmatched_distance_m / resolution_m, 2);
+  noise_cells_ = static_cast<float>(options.likelihood_sigma_m / resolution_m);
+  likelihood_scale_ = -0.5 * options.likelihood_gain;
+  max_squared_distance_ = static_cast<float>(std::pow(options.unmatched_sigmas, 2));
 }
 
 double EndpointModel::Score(const backend::SE2& world_T_robot, double at_least) {
@@ -37,47 +39,55 @@ double EndpointModel::Score(const backend::SE2& world_T_robot, double at_least) 
   const double count = static_cast<double>(points_->size());
   // A beam adds 1 at most; what is explained after a row of beams that are not counts late only.
   const double slack = count * (1.0 - at_least);
+  const auto scale = static_cast<float>(score_scale_);
   double sum = 0.0;
-  ForEachExplainedBeam(world_T_robot, [&](std::size_t k, float squared_cells) {
-    sum += std::exp(static_cast<float>(score_scale_) * squared_cells);
+  ForEachBeam(world_T_robot, [&](std::size_t k, const EndPoint& end) {
+    const auto x = static_cast<float>(end.x - end.cell.x);
+    const auto y = static_cast<float>(end.y - end.cell.y);
+    float nearest = std::numeric_limits<float>::infinity();  // d^2 in cells; exp gives 0
+    end.block->ForEachFullNeighbour(end.cell, end.back_dx, end.back_dy,
+                                    [&](float mean_x, float mean_y) {
+                                      const float dx = x - mean_x, dy = y - mean_y;
+                                      nearest = std::min(nearest, dx * dx + dy * dy);
+                                    });
+    if (std::isfinite(nearest)) sum += std::exp(scale * nearest);
     return sum + slack >= static_cast<double>(k);
   });
   return sum / count;
 }
 
 double EndpointModel::LogLikelihood(const backend::SE2& world_T_robot) {
-  const double limit = unmatched_squared_cells_;
-  double sum = limit * static_cast<double>(points_->size());
-  ForEachExplainedBeam(world_T_robot, [&](std::size_t, float squared_cells) {
-    sum += std::min<double>(squared_cells, limit) - limit;
+  double sum = 0.0;
+  ForEachBeam(world_T_robot, [&](std::size_t, const EndPoint& end) {
+    LocalSurface surface;
+    float squared = max_squared_distance_;
+    if (surface.Fit(*end.block, end.cell, end.x, end.y)) {
+      const Eigen::Vector2f weighted = surface.Information(noise_cells_) * surface.offset;
+      squared = std::min(squared, surface.offset.dot(weighted));
+    }
+    sum += squared;
     return true;
   });
   return likelihood_scale_ * sum;
 }
 
 template <typename Visit>
-void EndpointModel::ForEachExplainedBeam(const backend::SE2& world_T_robot, const Visit& visit) {
+void EndpointModel::ForEachBeam(const backend::SE2& world_T_robot, const Visit& visit) {
   const double cells_per_m = 1.0 / grid_->resolution_m();
   const double c = std::cos(world_T_robot.theta), s = std::sin(world_T_robot.theta);
   const double cx = c * cells_per_m, sx = s * cells_per_m;
   const double x0 = world_T_robot.x * cells_per_m, y0 = world_T_robot.y * cells_per_m;
-  for (std::size_t beam = 0; beam < points_->size(); ++beam) {
-    const ScanPoint& point = (*points_)[beam];
-    const double x = x0 + cx * point.x_m - sx * point.y_m;
-    const double y = y0 + sx * point.x_m + cx * point.y_m;
-    const CellIndex end{FloorToCell(x), FloorToCell(y)};
-    map::CellBlock& block = blocks_[beam];
-    if (!block.Covers(end)) block.CopyFrom(*grid_, end);
-    const float in_cell_x = static_cast<float>(x - end.x);
-    const float in_cell_y = static_cast<float>(y - end.y);
-    float nearest = kNothing;
-    block.ForEachFullNeighbour(end, Sign(c * point.back_x - s * point.back_y),
-                               Sign(s * point.back_x + c * point.back_y),
-                               [&](float mean_x, float mean_y) {
-                                 const float dx = in_cell_x - mean_x, dy = in_cell_y - mean_y;
-                                 nearest = std::min(nearest, dx * dx + dy * dy);
-                               });
-    if (nearest < kNothing && !visit(beam, nearest)) return;
+  for (std::size_t k = 0; k < points_->size(); ++k) {
+    const ScanPoint& point = (*points_)[k];
+    EndPoint end;
+    end.x = x0 + cx * point.x_m - sx * point.y_m;
+    end.y = y0 + sx * point.x_m + cx * point.y_m;
+    end.cell = {FloorToCell(end.x), FloorToCell(end.y)};
+    end.back_dx = Rounded(c * point.back_x - s * point.back_y);
+    end.back_dy = Rounded(s * point.back_x + c * point.back_y);
+    if (!blocks_[k].Covers(end.cell)) blocks_[k].CopyFrom(*grid_, end.cell);
+    end.block = &blocks_[k];
+    if (!visit(k, end)) return;
   }
 }
 

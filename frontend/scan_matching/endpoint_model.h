@@ -11,16 +11,25 @@
 
 namespace gmapping_spa::scan_matching {
 
-// One scan z and one map m, to be evaluated at many poses x near each other. A beam is explained by
-// the nearest hit mean among the full cells of the 3 x 3 neighbourhood of its end point whose
-// neighbour toward the laser is not full as well: a wall is seen from its own side. After Grisetti,
-// Stachniss, Burgard 2007.
+// One scan z and one map m, to be evaluated at many poses x near each other, in two ways:
+//
+// The score, for searching, is that of GMapping (Grisetti, Stachniss, Burgard 2007): a beam is
+// explained by the nearest hit mean among the full cells of the 3 x 3 neighbourhood of its end
+// point whose neighbour toward the laser is not full as well: a wall is seen from its own side.
+//
+// The likelihood, for weights and proposals, measures the distance to the surface that the hit
+// means form (LocalSurface). It must not say more than the walls do: the nearest hit mean would
+// hold a scan along a corridor by the spacing of cells, and so would the rule about the neighbour,
+// which beams that graze a wall break at every other cell.
 class EndpointModel {
  public:
   struct Options {
-    double score_sigma_m = 0.05;         // of the score's kernel
-    double likelihood_sigma_m = 0.05;    // of a beam's end point, map errors included
-    double unmatched_distance_m = 0.25;  // an unexplained beam counts as this far from its hit
+    double score_sigma_m = 0.05;       // of the score's kernel
+    double likelihood_sigma_m = 0.03;  // of a beam's end point, map errors included
+    double unmatched_sigmas = 5.0;     // at most this far off is a beam; farther is an outlier
+    // Exponent of the likelihood. Neighbouring beams see the same wall and the same error of the
+    // map: their product would be too sure of itself.
+    double likelihood_gain = 1.0 / 3.0;
   };
 
   // `grid` and `points` must outlive this and stay as they are.
@@ -33,22 +42,31 @@ class EndpointModel {
   // be given up half-way; what is returned then is below it, too.
   double Score(const backend::SE2& world_T_robot, double at_least = 0.0);
 
-  // log p(z | m, x) up to a constant, in nats: sum over the beams of -d^2 / 2 likelihood_sigma^2,
-  // with d limited to unmatched_distance_m.
+  // log p(z | m, x) up to a constant, in nats: the gain times the sum over the beams of -d^2 / 2,
+  // where d is the Mahalanobis distance to the LocalSurface at the end point with noise of
+  // likelihood_sigma_m, limited to unmatched_sigmas.
   double LogLikelihood(const backend::SE2& world_T_robot);
 
  private:
-  // Calls visit(k, d^2), in square cells, for every beam k that the map explains, until it returns
-  // false.
+  // The end point of a beam at the pose that is evaluated.
+  struct EndPoint {
+    double x, y;  // in cells
+    map::CellIndex cell;
+    int back_dx, back_dy;  // the neighbouring cell toward the laser
+    const map::CellBlock* block;
+  };
+
+  // Calls visit(k, end point) for every beam k, until it returns false.
   template <typename Visit>
-  void ForEachExplainedBeam(const backend::SE2& world_T_robot, const Visit& visit);
+  void ForEachBeam(const backend::SE2& world_T_robot, const Visit& visit);
 
   const map::OccupancyGrid* grid_;
   const ScanPoints* points_;
   std::vector<map::CellBlock> blocks_;  // around the end point of each beam
-  double score_scale_;                  // the exponents per squared distance in cells
+  double score_scale_;                  // the exponent per squared distance in cells
+  float noise_cells_;
+  float max_squared_distance_;
   double likelihood_scale_;
-  double unmatched_squared_cells_;
 };
 
 }  // namespace gmapping_spa::scan_matching

@@ -42,7 +42,8 @@ Points BruteForce(const OccupancyGrid& grid, CellIndex index, int dx, int dy) {
   for (int y = -1; y <= 1; ++y) {
     for (int x = -1; x <= 1; ++x) {
       const CellIndex at{index.x + x, index.y + y};
-      if (!IsFull(grid, at) || IsFull(grid, {at.x + dx, at.y + dy})) continue;
+      const bool blocked = (dx != 0 || dy != 0) && IsFull(grid, {at.x + dx, at.y + dy});
+      if (!IsFull(grid, at) || blocked) continue;
       const Cell& cell = grid.cell(at);
       points.emplace_back(static_cast<float>(x + cell.mean_x / 65536.0),
                           static_cast<float>(y + cell.mean_y / 65536.0));

@@ -8,22 +8,20 @@
 namespace gmapping_spa::particle_filter {
 namespace {
 
-TEST(ParallelFor, CallsEveryIndexOnceHoweverManyThreadsAndHoweverOftenUsed) {
+TEST(ParallelFor, CallsEveryIndexOnceHoweverManyThreads) {
   for (const int threads : {1, 2, 3, 8}) {
-    ParallelFor parallel_for(threads);
     for (const int count : {0, 1, 2, 7, 100, 1000, 3}) {
       std::vector<int> calls(count);  // not atomic: the end of the loop must publish all of it
-      parallel_for(count, [&](int i) { ++calls[i]; });
+      ParallelFor(threads, count, [&](int i) { ++calls[i]; });
       for (int i = 0; i < count; ++i) ASSERT_EQ(calls[i], 1) << threads << " threads, index " << i;
     }
   }
 }
 
 TEST(ParallelFor, OneThreadIsTheCallingOneAndWorksInOrder) {
-  ParallelFor parallel_for(1);
   const std::thread::id caller_id = std::this_thread::get_id();
   std::vector<int> order;
-  parallel_for(5, [&](int i) {
+  ParallelFor(1, 5, [&](int i) {
     EXPECT_EQ(std::this_thread::get_id(), caller_id);
     order.push_back(i);
   });

@@ -133,6 +133,7 @@ class OneStep : public testing::Test {
   explicit OneStep(double resample_threshold = 1.1) {  // above 1: after every step
     ParticleFilter::Options options = Particles(8);
     options.resample_threshold = resample_threshold;
+    options.obs_sigma_gain = 0.05;  // so that weights differ enough for twins
     filter_ = std::make_unique<ParticleFilter>(
         options, std::make_shared<scan_matching::HillClimbing>(
                      scan_matching::HillClimbing::Options{}, options.endpoint));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -61,8 +62,10 @@ class RandomPoses : public testing::Test {
   const map::OccupancyGrid grid_ = synthetic::RoomMap();
   const SE2 scan_pose_{0.4, -0.3, 0.8};
   const ScanPoints points_ = MakeScanPoints(synthetic::Scan(synthetic::Room(), scan_pose_));
-  const EndpointModel::Options options_{
-      .score_sigma_m = 0.04, .likelihood_sigma_m = 0.06, .unmatched_distance_m = 0.05};
+  const EndpointModel::Options options_{.score_sigma_m = 0.04,
+                                        .likelihood_sigma_m = 0.06,
+                                        .unmatched_sigmas = 2.0,
+                                        .likelihood_gain = 0.25};
   EndpointModel model_{options_, &grid_, &points_};
   backend::CounterRandom random_{7, 0};
 };
@@ -83,16 +86,43 @@ TEST_F(RandomPoses, ScoreIsThatOfTheMapItself) {
   EXPECT_GT(best, 0.5);
 }
 
+// Squared Mahalanobis distance from the end point to the hit means around it, taken from the map
+// cell by cell.
+double SurfaceDistance(const map::OccupancyGrid& grid, const ScanPoint& point,
+                       const SE2& world_T_robot, double sigma_m, double limit) {
+  const double resolution_m = grid.resolution_m();
+  const Eigen::Vector2d end = world_T_robot * Eigen::Vector2d(point.x_m, point.y_m) / resolution_m;
+  const int x = static_cast<int>(std::floor(end.x())), y = static_cast<int>(std::floor(end.y()));
+  double sum = 0.0;
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+  for (int at_x = x - 1; at_x <= x + 1; ++at_x) {
+    for (int at_y = y - 1; at_y <= y + 1; ++at_y) {
+      if (!IsFull(grid, {at_x, at_y})) continue;
+      const map::Cell& cell = grid.cell({at_x, at_y});
+      const Eigen::Vector2d hit(at_x + cell.mean_x / 65536.0, at_y + cell.mean_y / 65536.0);
+      const double weight = std::pow(std::max(0.0, 1.0 - (hit - end).squaredNorm() / 4.0), 2);
+      sum += weight;
+      mean += weight * (hit - end);
+      second += weight * (hit - end) * (hit - end).transpose();
+    }
+  }
+  if (sum == 0.0) return limit;
+  mean /= sum;
+  const double noise = sigma_m / resolution_m;
+  const Eigen::Matrix2d covariance =
+      second / sum - mean * mean.transpose() + noise * noise * Eigen::Matrix2d::Identity();
+  return std::min(limit, mean.dot(covariance.inverse() * mean));
+}
+
 TEST_F(RandomPoses, LogLikelihoodIsThatOfTheMapItself) {
   for (int trial = 0; trial < 400; ++trial) {
     const SE2 pose = Pose(trial % 2 == 0 ? 0.1 : 1.0);
     double expected = 0.0;
     for (const ScanPoint& point : points_) {
-      const double limit = 0.05 * 0.05;
-      const double squared = SquaredDistance(grid_, point, pose).value_or(limit);
-      expected -= 0.5 * std::min(squared, limit) / (0.06 * 0.06);
+      expected -= 0.5 * 0.25 * SurfaceDistance(grid_, point, pose, 0.06, 2.0 * 2.0);
     }
-    ASSERT_NEAR(model_.LogLikelihood(pose), expected, 1e-4);
+    ASSERT_NEAR(model_.LogLikelihood(pose), expected, 1e-3);
   }
 }
 
@@ -133,9 +163,9 @@ TEST(EndpointModel, ScanWithoutPointsScoresNothing) {
 TEST(EndpointModel, EveryBeamIsUnmatchedOnAnEmptyMap) {
   const map::OccupancyGrid grid({});
   const ScanPoints points(10, {1.0, 0.0, -1.0, 0.0});
-  EndpointModel model({.likelihood_sigma_m = 0.1, .unmatched_distance_m = 0.2}, &grid, &points);
+  EndpointModel model({.unmatched_sigmas = 2.0, .likelihood_gain = 0.5}, &grid, &points);
   EXPECT_EQ(model.Score({}), 0.0);
-  EXPECT_NEAR(model.LogLikelihood({}), -10 * 0.5 * 4.0, 1e-9);
+  EXPECT_NEAR(model.LogLikelihood({}), -10 * 0.5 * 0.5 * 4.0, 1e-9);
 }
 
 TEST(EndpointModel, WallIsSeenFromItsOwnSide) {
@@ -144,8 +174,8 @@ TEST(EndpointModel, WallIsSeenFromItsOwnSide) {
   grid.AddHit(10.5, 0.5);
   grid.AddHit(11.5, 0.5);
   const ScanPoints points = {{1.15, 0.05, -1.0, 0.0}};
-  EndpointModel model({.likelihood_sigma_m = 0.1, .unmatched_distance_m = 1.0}, &grid, &points);
-  EXPECT_NEAR(model.LogLikelihood({}), -0.5, 1e-4);
+  EndpointModel model({.score_sigma_m = 0.1}, &grid, &points);
+  EXPECT_NEAR(model.Score({}), std::exp(-0.5), 1e-4);
 }
 
 }  // namespace
