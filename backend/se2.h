@@ -12,7 +12,11 @@
 namespace gmapping_spa::backend {
 
 // Returns the angle equivalent to `theta` in [-pi, pi]. NaN and infinity give NaN.
-inline double WrapAngle(double theta) { return std::remainder(theta, 2.0 * std::numbers::pi); }
+inline double WrapAngle(double theta) {
+  // Most angles are in range already, where the remainder is the angle itself.
+  if (std::abs(theta) < std::numbers::pi) return theta;
+  return std::remainder(theta, 2.0 * std::numbers::pi);
+}
 
 // A pose or rigid motion: rotation by theta, then translation by (x, y). Plain data, so that it can
 // cross the boundary of a plugin.
