@@ -1,0 +1,25 @@
+// The back end that changes nothing: what the front end does without one.
+#include "backend/plugin.h"
+#include "backend/graph_cost.h"
+#include "backend/settings.h"
+
+namespace gmapping_spa::none {
+namespace {
+
+class NoOptimizer : public backend::Optimizer {
+ public:
+  backend::Summary Optimize(const backend::Options& options, backend::PoseGraph* graph) override {
+    backend::SettingsReader(options.settings).RejectOthers();
+    backend::Summary summary;
+    summary.termination = backend::Termination::kConverged;
+    summary.message = "left the poses as they were";
+    summary.initial_cost = summary.final_cost = backend::GraphCost(*graph, options.loss);
+    return summary;
+  }
+};
+
+}  // namespace
+}  // namespace gmapping_spa::none
+
+GMAPPING_SPA_BACKEND_PLUGIN(gmapping_spa::none::NoOptimizer, "none",
+                            "leaves all poses as they are");
