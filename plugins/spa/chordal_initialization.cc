@@ -1,0 +1,77 @@
+#include "plugins/spa/chordal_initialization.h"
+
+#include <cmath>
+
+#include "plugins/spa/block_matrix.h"
+
+namespace gmapping_spa::spa {
+namespace {
+
+using backend::Edge;
+using backend::GraphIndex;
+using backend::PoseGraph;
+using backend::SE2;
+
+// Minimises sum w |r_j - R(theta_ij) r_i|^2 over the vectors r of the free nodes, where w is the
+// information of the angle, and sets their angles to the directions of the vectors.
+bool SolveRotations(const PoseGraph& graph, const GraphIndex& index,
+                    const BlockStructure& structure, const SymbolicFactor& symbolic,
+                    BlockCholesky* cholesky, std::vector<SE2>* poses) {
+  BlockMatrix<2> matrix;
+  matrix.SetZero(structure);
+  std::vector<BlockVector<2>> x(structure.columns(), BlockVector<2>::Zero());
+  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+    const Edge& edge = graph.edges[e];
+    const auto [i, j] = index.edges[e];
+    const int a = structure.column_of_node[i], b = structure.column_of_node[j];
+    if (a == b) continue;
+    const double weight = edge.information(2, 2);
+    const double c = weight * std::cos(edge.i_T_j.theta), s = weight * std::sin(edge.i_T_j.theta);
+    Block<2> weighted_rotation;
+    weighted_rotation << c, -s, s, c;
+    if (a >= 0) matrix.diagonal[a].diagonal().array() += weight;
+    if (b >= 0) matrix.diagonal[b].diagonal().array() += weight;
+    matrix.AddOffDiagonal(structure.slot_of_edge[e], -weighted_rotation.transpose());
+    const auto direction = [&](int node) {
+      return BlockVector<2>(std::cos((*poses)[node].theta), std::sin((*poses)[node].theta));
+    };
+    if (a < 0) x[b] += weighted_rotation * direction(i);
+    if (b < 0) x[a] += weighted_rotation.transpose() * direction(j);
+  }
+  if (!cholesky->Factorize(structure, symbolic, matrix)) return false;
+  cholesky->Solve(symbolic, &x);
+  for (int k = 0; k < structure.columns(); ++k) {
+    (*poses)[structure.node_of_column[k]].theta = std::atan2(x[k].y(), x[k].x());
+  }
+  return true;
+}
+
+// Minimises the cost with the errors linearised about the angles of `poses`.
+bool SolvePoses(const PoseGraph& graph, const GraphIndex& index, const BlockStructure& structure,
+                const SymbolicFactor& symbolic, SolverMemory* memory, std::vector<SE2>* poses) {
+  for (const int node : structure.node_of_column) (*poses)[node].x = (*poses)[node].y = 0.0;
+  NormalEquations& equations = memory->equations;
+  LinearizeForTranslations(graph, index, structure, *poses, &equations);
+  if (!memory->cholesky.Factorize(structure, symbolic, equations.hessian)) return false;
+  std::vector<BlockVector<3>>& x = equations.minus_gradient;
+  memory->cholesky.Solve(symbolic, &x);
+  for (int k = 0; k < structure.columns(); ++k) {
+    SE2& pose = (*poses)[structure.node_of_column[k]];
+    pose = {x[k].x(), x[k].y(), backend::WrapAngle(pose.theta + x[k].z())};
+  }
+  return true;
+}
+
+}  // namespace
+
+bool InitializeChordal(const PoseGraph& graph, const GraphIndex& index,
+                       const BlockStructure& structure, const SymbolicFactor& symbolic,
+                       SolverMemory* memory, std::vector<SE2>* poses) {
+  std::vector<SE2> start = *poses;
+  if (!SolveRotations(graph, index, structure, symbolic, &memory->cholesky, &start)) return false;
+  if (!SolvePoses(graph, index, structure, symbolic, memory, &start)) return false;
+  *poses = std::move(start);
+  return true;
+}
+
+}  // namespace gmapping_spa::spa

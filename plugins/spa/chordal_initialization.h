@@ -1,0 +1,33 @@
+// Initial poses from the chordal relaxation: no start needed, so no wrong basin to start in.
+#ifndef GMAPPING_SPA_PLUGINS_SPA_CHORDAL_INITIALIZATION_H_
+#define GMAPPING_SPA_PLUGINS_SPA_CHORDAL_INITIALIZATION_H_
+
+#include <vector>
+
+#include "backend/pose_graph.h"
+#include "plugins/spa/block_cholesky.h"
+#include "plugins/spa/block_structure.h"
+#include "plugins/spa/normal_equations.h"
+#include "plugins/spa/symbolic_factor.h"
+
+namespace gmapping_spa::spa {
+
+// Memory that a solve needs, kept from one to the next.
+struct SolverMemory {
+  NormalEquations equations;
+  BlockCholesky cholesky;
+};
+
+// Two linear least-squares problems on the structure of the graph (Carlone, Tron, Daniilidis,
+// Dellaert 2015, "Initialization techniques for 3D SLAM", section III-B, in the plane):
+// the rotations as vectors (cos, sin) that need not have unit length, then all poses with the
+// rotations linearised where the first problem put them. Held nodes stay where `poses` has them;
+// free ones are replaced. Returns false, with `poses` as they were, when the information of the
+// edges does not determine the poses.
+bool InitializeChordal(const backend::PoseGraph& graph, const backend::GraphIndex& index,
+                       const BlockStructure& structure, const SymbolicFactor& symbolic,
+                       SolverMemory* memory, std::vector<backend::SE2>* poses);
+
+}  // namespace gmapping_spa::spa
+
+#endif  // GMAPPING_SPA_PLUGINS_SPA_CHORDAL_INITIALIZATION_H_

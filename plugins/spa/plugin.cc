@@ -1,0 +1,6 @@
+#include "backend/plugin.h"
+#include "plugins/spa/spa_optimizer.h"
+
+GMAPPING_SPA_BACKEND_PLUGIN(
+    gmapping_spa::spa::SpaOptimizer, "spa",
+    "Sparse Pose Adjustment on 3x3 blocks; settings: solver (block, cholmod), damping, max_rises");

@@ -1,0 +1,248 @@
+#include "plugins/spa/spa_optimizer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include "backend/graph_cost.h"
+#include "backend/initial_guess.h"
+#include "backend/settings.h"
+
+namespace gmapping_spa::spa {
+namespace {
+
+using backend::Initialization;
+using backend::Options;
+using backend::PoseGraph;
+using backend::SE2;
+using backend::Summary;
+using backend::Termination;
+
+// Damping below this is none; the first damped step has kFirstDamping; more than kLastDamping means
+// that no step, however short, lowers the cost.
+constexpr double kLeastDamping = 1e-7;
+constexpr double kFirstDamping = 1e-4;
+constexpr double kLastDamping = 1e10;
+constexpr double kDampingFactor = 10.0;
+
+// How many times the last result's cost given poses may have and still pass for its continuation.
+constexpr double kContinuationCostRatio = 2.0;
+
+double SecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<SE2> PosesOf(const PoseGraph& graph) {
+  std::vector<SE2> poses;
+  poses.reserve(graph.nodes.size());
+  for (const backend::Node& node : graph.nodes) poses.push_back(node.world_T_node);
+  return poses;
+}
+
+void SetPoses(const std::vector<SE2>& poses, PoseGraph* graph) {
+  for (std::size_t k = 0; k < poses.size(); ++k) graph->nodes[k].world_T_node = poses[k];
+}
+
+void AddStep(const BlockStructure& structure, const std::vector<BlockVector<3>>& step,
+             std::vector<SE2>* poses) {
+  for (int k = 0; k < structure.columns(); ++k) {
+    SE2& pose = (*poses)[structure.node_of_column[k]];
+    pose.x += step[k].x();
+    pose.y += step[k].y();
+    pose.theta = backend::WrapAngle(pose.theta + step[k].z());
+  }
+}
+
+double SquaredNorm(const std::vector<BlockVector<3>>& step) {
+  double sum = 0.0;
+  for (const BlockVector<3>& block : step) sum += block.squaredNorm();
+  return sum;
+}
+
+// By how much the step lowers the quadratic model of the cost: dx' (-g + lambda diag(H) dx) / 2.
+double PredictedDecrease(const NormalEquations& equations, double lambda,
+                         const std::vector<BlockVector<3>>& step) {
+  double decrease = 0.0;
+  for (std::size_t k = 0; k < step.size(); ++k) {
+    const BlockVector<3> damped =
+        lambda * equations.hessian.diagonal[k].diagonal().cwiseProduct(step[k]);
+    decrease += 0.5 * step[k].dot(equations.minus_gradient[k] + damped);
+  }
+  return decrease;
+}
+
+double Raised(double damping) { return std::max(kFirstDamping, damping * kDampingFactor); }
+
+double Lowered(double damping) {
+  return damping / kDampingFactor < kLeastDamping ? 0.0 : damping / kDampingFactor;
+}
+
+}  // namespace
+
+SpaOptimizer::Settings SpaOptimizer::ReadSettings(const Options& options) {
+  backend::SettingsReader reader(options.settings);
+  Settings settings{};
+  settings.cholmod = reader.Choice("solver", {"block", "cholmod"}) == "cholmod";
+  settings.damping = reader.Number("damping", 0.0, 0.0);
+  settings.max_rises = reader.Integer("max_rises", 2, 0);
+  reader.RejectOthers();
+  return settings;
+}
+
+std::vector<SE2> SpaOptimizer::ChooseStart(const Options& options, const PoseGraph& graph,
+                                           double given_cost) {
+  const backend::GraphIndex& index = structure_.index();
+  std::vector<SE2> poses = PosesOf(graph);
+  switch (options.initialization) {
+    case Initialization::kKeep:
+      return poses;
+    case Initialization::kOdometry:
+    case Initialization::kSpanningTree: {
+      PoseGraph start = graph;
+      if (options.initialization == Initialization::kOdometry) {
+        backend::InitializeFromOdometry(index, &start);
+      } else {
+        backend::InitializeFromSpanningTree(index, &start);
+      }
+      return PosesOf(start);
+    }
+    case Initialization::kAuto:
+      if (given_cost <= kContinuationCostRatio * last_cost_) return poses;
+      break;
+    case Initialization::kChordal:
+      break;
+  }
+  std::vector<SE2> chordal = poses;
+  if (!InitializeChordal(graph, index, structure_.blocks(), structure_.symbolic(), &memory_,
+                         &chordal)) {
+    return poses;
+  }
+  if (options.initialization == Initialization::kChordal) return chordal;
+  return backend::GraphCost(graph, index, chordal, options.loss) < given_cost ? chordal : poses;
+}
+
+bool SpaOptimizer::SolveStep(double lambda, bool cholmod, std::vector<BlockVector<3>>* step) {
+  const BlockMatrix<3>* hessian = &memory_.equations.hessian;
+  if (lambda > 0.0) {
+    damped_ = *hessian;
+    for (Block<3>& block : damped_.diagonal) {
+      // Coordinates that no measurement sees are held by the damping alone.
+      for (int c = 0; c < 3; ++c) block(c, c) += lambda * (block(c, c) > 0.0 ? block(c, c) : 1.0);
+    }
+    hessian = &damped_;
+  }
+  *step = memory_.equations.minus_gradient;
+  if (cholmod) {
+    return cholmod_.Solve(structure_.blocks(), *hessian,
+                          !std::exchange(cholmod_knows_structure_, true), step);
+  }
+  if (!memory_.cholesky.Factorize(structure_.blocks(), structure_.symbolic(), *hessian)) {
+    return false;
+  }
+  memory_.cholesky.Solve(structure_.symbolic(), step);
+  return true;
+}
+
+void SpaOptimizer::Minimize(const Options& options, const Settings& settings,
+                            const PoseGraph& graph, std::vector<SE2>* poses, Summary* summary) {
+  const auto linearize = [&](const std::vector<SE2>& at) {
+    Linearize(graph, structure_.index(), structure_.blocks(), at, options.loss, &memory_.equations);
+  };
+  double damping = damping_.value_or(settings.damping);
+  int rises = 0;
+  std::vector<SE2> current = *poses;
+  std::vector<BlockVector<3>> step;
+  linearize(current);
+  summary->final_cost = memory_.equations.cost;
+  summary->termination = Termination::kNoConvergence;
+  summary->message = "ran out of iterations";
+  while (static_cast<int>(summary->iterations.size()) < options.max_iterations) {
+    const auto iteration_start = std::chrono::steady_clock::now();
+    const bool solved = SolveStep(damping, settings.cholmod, &step);
+    backend::IterationRecord record;
+    record.cost = summary->final_cost;
+    record.damping = damping;
+    record.linear_solver_s = SecondsSince(iteration_start);
+
+    bool improved = false, converged = false;
+    if (solved) {
+      record.step_norm = std::sqrt(SquaredNorm(step));
+      converged = PredictedDecrease(memory_.equations, damping, step) <=
+                  options.cost_tolerance * summary->final_cost;
+      AddStep(structure_.blocks(), step, &current);
+      if (converged) {
+        record.cost = backend::GraphCost(graph, structure_.index(), current, options.loss);
+      } else {
+        linearize(current);
+        record.cost = memory_.equations.cost;
+      }
+      improved = record.cost < summary->final_cost;
+    }
+    if (improved) {
+      summary->final_cost = record.cost;
+      *poses = current;
+      damping = Lowered(damping);
+      rises = 0;
+    } else if (converged) {
+      // The step is too short to tell; keep what there is.
+    } else if (solved && damping == 0.0 && std::isfinite(record.cost) &&
+               rises < settings.max_rises) {
+      // Gauss-Newton often leaves a poor start over a hill; let it.
+      ++rises;
+    } else {
+      damping = Raised(damping);
+      rises = 0;
+      if (solved) {
+        current = *poses;
+        linearize(current);
+      }
+    }
+    record.total_s = SecondsSince(iteration_start);
+    summary->iterations.push_back(record);
+    if (converged || damping > kLastDamping) {
+      summary->termination = Termination::kConverged;
+      summary->message = converged ? "the predicted decrease of the cost is below the tolerance"
+                                   : "no step lowers the cost";
+      break;
+    }
+  }
+  // Steps that only raised the cost are lost with the call, but not their lesson.
+  damping_ = damping > kLastDamping ? settings.damping : (rises > 0 ? Raised(damping) : damping);
+}
+
+Summary SpaOptimizer::OptimizeOrThrow(const Options& options, PoseGraph* graph) {
+  const Settings settings = ReadSettings(options);
+  structure_.Update(backend::IndexGraph(*graph));
+  if (structure_.changed()) cholmod_knows_structure_ = false;
+
+  Summary summary;
+  summary.initial_cost = backend::GraphCost(*graph, structure_.index(), options.loss);
+  summary.final_cost = summary.initial_cost;
+  if (!std::isfinite(summary.initial_cost)) {
+    summary.message = "the cost of the given poses is not finite";
+    return summary;
+  }
+  std::vector<SE2> poses = ChooseStart(options, *graph, summary.initial_cost);
+  Minimize(options, settings, *graph, &poses, &summary);
+  if (summary.final_cost < summary.initial_cost) {
+    SetPoses(poses, graph);
+  } else {
+    summary.final_cost = summary.initial_cost;
+  }
+  last_cost_ = summary.final_cost;
+  return summary;
+}
+
+Summary SpaOptimizer::Optimize(const Options& options, PoseGraph* graph) {
+  try {
+    return OptimizeOrThrow(options, graph);
+  } catch (const std::exception& error) {
+    Summary summary;
+    summary.message = error.what();
+    return summary;
+  }
+}
+
+}  // namespace gmapping_spa::spa
