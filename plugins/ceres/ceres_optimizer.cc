@@ -1,0 +1,171 @@
+#include "plugins/ceres/ceres_optimizer.h"
+
+#include <ceres/loss_function.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+
+#include <cmath>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "backend/graph_cost.h"
+#include "backend/graph_index.h"
+#include "backend/initial_guess.h"
+#include "backend/settings.h"
+#include "plugins/ceres/edge_cost_function.h"
+#include "plugins/spa/chordal_initialization.h"
+#include "plugins/spa/graph_structure.h"
+
+namespace gmapping_spa::ceres_backend {
+namespace {
+
+using backend::Initialization;
+using backend::Options;
+using backend::PoseGraph;
+using backend::SE2;
+using backend::Summary;
+using backend::Termination;
+
+class RobustLoss : public ::ceres::LossFunction {
+ public:
+  explicit RobustLoss(const backend::Loss& loss) : loss_(loss) {}
+  void Evaluate(double s, double rho[3]) const override {
+    const backend::LossValue value = backend::EvaluateLoss(loss_, s);
+    rho[0] = value.rho;
+    rho[1] = value.weight;
+    rho[2] = 0.0;  // plain reweighting, as SPA does
+  }
+
+ private:
+  backend::Loss loss_;
+};
+
+::ceres::Solver::Options SolverOptions(const Options& options) {
+  backend::SettingsReader reader(options.settings);
+  ::ceres::Solver::Options solver;
+  solver.logging_type = ::ceres::SILENT;
+  solver.max_num_iterations = options.max_iterations;
+  solver.function_tolerance = options.cost_tolerance;
+  const std::string linear_solver = reader.Choice(
+      "linear_solver", {"sparse_normal_cholesky", "dense_normal_cholesky", "dense_qr", "cgnr"});
+  ::ceres::StringToLinearSolverType(linear_solver, &solver.linear_solver_type);
+  const std::string library = reader.Choice("sparse_library", {"suite_sparse", "eigen_sparse"});
+  ::ceres::StringToSparseLinearAlgebraLibraryType(library,
+                                                  &solver.sparse_linear_algebra_library_type);
+  const std::string trust_region = reader.Choice("trust_region", {"levenberg_marquardt", "dogleg"});
+  ::ceres::StringToTrustRegionStrategyType(trust_region, &solver.trust_region_strategy_type);
+  solver.initial_trust_region_radius = reader.Number("initial_radius", 1e4, 0.0);
+  solver.max_trust_region_radius =
+      std::max(solver.max_trust_region_radius, solver.initial_trust_region_radius);
+  solver.use_nonmonotonic_steps = reader.Flag("nonmonotonic", false);
+  solver.jacobi_scaling = reader.Flag("jacobi_scaling", true);
+  solver.gradient_tolerance = reader.Number("gradient_tolerance", 1e-10, 0.0);
+  solver.parameter_tolerance = reader.Number("parameter_tolerance", 1e-8, 0.0);
+  solver.num_threads = reader.Integer("threads", 1, 1);
+  reader.RejectOthers();
+  std::string error;
+  if (!solver.IsValid(&error)) throw std::runtime_error(error);
+  return solver;
+}
+
+std::vector<SE2> StartingPoses(Initialization initialization, const PoseGraph& graph,
+                               const backend::GraphIndex& index) {
+  PoseGraph start;
+  start.nodes = graph.nodes;
+  if (initialization == Initialization::kOdometry) {
+    start.edges = graph.edges;
+    backend::InitializeFromOdometry(index, &start);
+  } else if (initialization == Initialization::kSpanningTree) {
+    start.edges = graph.edges;
+    backend::InitializeFromSpanningTree(index, &start);
+  }
+  std::vector<SE2> poses;
+  for (const backend::Node& node : start.nodes) poses.push_back(node.world_T_node);
+  if (initialization == Initialization::kChordal) {
+    spa::GraphStructure structure;
+    spa::SolverMemory memory;
+    structure.Update(index);
+    spa::InitializeChordal(graph, index, structure.blocks(), structure.symbolic(), &memory, &poses);
+  }
+  return poses;
+}
+
+Summary OptimizeOrThrow(const Options& options, PoseGraph* graph) {
+  const ::ceres::Solver::Options solver_options = SolverOptions(options);
+  const backend::GraphIndex index = backend::IndexGraph(*graph);
+  Summary summary;
+  summary.initial_cost = summary.final_cost = backend::GraphCost(*graph, index, options.loss);
+  if (!std::isfinite(summary.initial_cost)) {
+    summary.message = "the cost of the given poses is not finite";
+    return summary;
+  }
+  std::vector<SE2> poses = StartingPoses(options.initialization, *graph, index);
+
+  // An SE2 is three doubles in a row. Angles are plain numbers: errors are wrapped, poses at the
+  // end.
+  static_assert(sizeof(SE2) == 3 * sizeof(double));
+  const auto parameters = [&poses](int node) { return &poses[node].x; };
+  RobustLoss loss(options.loss);
+  ::ceres::Problem::Options problem_options;
+  problem_options.loss_function_ownership = ::ceres::DO_NOT_TAKE_OWNERSHIP;
+  ::ceres::Problem problem(problem_options);
+  for (std::size_t node = 0; node < poses.size(); ++node) {
+    problem.AddParameterBlock(parameters(static_cast<int>(node)), 3);
+    if (index.held[node]) {
+      problem.SetParameterBlockConstant(parameters(static_cast<int>(node)));
+    }
+  }
+  for (std::size_t k = 0; k < graph->edges.size(); ++k) {
+    const backend::Edge& edge = graph->edges[k];
+    const auto [i, j] = index.edges[k];
+    if (i == j) continue;  // no pose changes its error
+    const bool trusted = backend::LossOfEdge(edge, options.loss) == backend::Loss{};
+    problem.AddResidualBlock(new EdgeCostFunction(edge), trusted ? nullptr : &loss, parameters(i),
+                             parameters(j));
+  }
+  ::ceres::Solver::Summary ceres_summary;
+  ::ceres::Solve(solver_options, &problem, &ceres_summary);
+
+  summary.message = ceres_summary.message;
+  switch (ceres_summary.termination_type) {
+    case ::ceres::CONVERGENCE:
+      summary.termination = Termination::kConverged;
+      break;
+    case ::ceres::NO_CONVERGENCE:
+      summary.termination = Termination::kNoConvergence;
+      break;
+    default:
+      return summary;
+  }
+  for (std::size_t k = 1; k < ceres_summary.iterations.size(); ++k) {  // 0 is the start
+    const ::ceres::IterationSummary& iteration = ceres_summary.iterations[k];
+    summary.iterations.push_back(
+        {iteration.cost, iteration.step_norm, 1.0 / iteration.trust_region_radius,
+         iteration.step_solver_time_in_seconds, iteration.iteration_time_in_seconds});
+  }
+  for (SE2& pose : poses) pose.theta = backend::WrapAngle(pose.theta);
+  const double final_cost = backend::GraphCost(*graph, index, poses, options.loss);
+  if (final_cost < summary.initial_cost) {
+    summary.final_cost = final_cost;
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      if (!index.held[k]) graph->nodes[k].world_T_node = poses[k];
+    }
+  }
+  return summary;
+}
+
+}  // namespace
+
+Summary CeresOptimizer::Optimize(const Options& options, PoseGraph* graph) {
+  try {
+    return OptimizeOrThrow(options, graph);
+  } catch (const std::exception& error) {
+    Summary summary;
+    summary.message = error.what();
+    return summary;
+  }
+}
+
+}  // namespace gmapping_spa::ceres_backend
