@@ -91,7 +91,7 @@ class G2oReader {
       }
     }
     for (const std::int64_t id : fixed_) graph_.nodes[position_.at(id)].fixed = true;
-    if (without_vertices) InitializeFromOdometry(IndexGraph(graph_), &graph_);
+    if (without_vertices) PlaceNodes();
     return std::move(graph_);
   }
 
@@ -168,6 +168,12 @@ class G2oReader {
       position_.emplace(id, graph_.nodes.size());
       graph_.nodes.push_back({id, 0.0, {}});
     }
+  }
+
+  void PlaceNodes() {
+    std::vector<SE2> poses = PosesOf(graph_);
+    InitializeFromOdometry(graph_, IndexGraph(graph_), &poses);
+    for (std::size_t k = 0; k < poses.size(); ++k) graph_.nodes[k].world_T_node = poses[k];
   }
 
   const std::string& name_;

@@ -6,7 +6,7 @@ namespace gmapping_spa::backend {
 namespace {
 
 template <typename PoseOfNode>
-double SumCost(const PoseGraph& graph, const GraphIndex& index, const Loss& loss,
+double SumCost(const PoseGraphView& graph, const GraphIndex& index, const Loss& loss,
                const PoseOfNode& pose) {
   double cost = 0.0;
   for (std::size_t k = 0; k < graph.edges.size(); ++k) {
@@ -21,17 +21,17 @@ double SumCost(const PoseGraph& graph, const GraphIndex& index, const Loss& loss
 
 }  // namespace
 
-double GraphCost(const PoseGraph& graph, const GraphIndex& index, const Loss& loss) {
+double GraphCost(const PoseGraphView& graph, const GraphIndex& index, const Loss& loss) {
   return SumCost(graph, index, loss,
                  [&](int node) -> const SE2& { return graph.nodes[node].world_T_node; });
 }
 
-double GraphCost(const PoseGraph& graph, const GraphIndex& index, const std::vector<SE2>& poses,
+double GraphCost(const PoseGraphView& graph, const GraphIndex& index, const std::vector<SE2>& poses,
                  const Loss& loss) {
   return SumCost(graph, index, loss, [&](int node) -> const SE2& { return poses[node]; });
 }
 
-double GraphCost(const PoseGraph& graph, const Loss& loss) {
+double GraphCost(const PoseGraphView& graph, const Loss& loss) {
   return GraphCost(graph, IndexGraph(graph), loss);
 }
 

@@ -12,14 +12,14 @@ namespace gmapping_spa::backend {
 
 // Sum over the edges of rho(e' Omega e) / 2, where rho is `loss` for loop closures and the identity
 // for all other edges. Without a loss this is 1/2 sum e' Omega e.
-double GraphCost(const PoseGraph& graph, const GraphIndex& index, const Loss& loss = {});
+double GraphCost(const PoseGraphView& graph, const GraphIndex& index, const Loss& loss = {});
 
 // The same with other poses, one for each node, than those in the graph.
-double GraphCost(const PoseGraph& graph, const GraphIndex& index, const std::vector<SE2>& poses,
+double GraphCost(const PoseGraphView& graph, const GraphIndex& index, const std::vector<SE2>& poses,
                  const Loss& loss = {});
 
 // The first one for a graph without an index; throws like IndexGraph.
-double GraphCost(const PoseGraph& graph, const Loss& loss = {});
+double GraphCost(const PoseGraphView& graph, const Loss& loss = {});
 
 }  // namespace gmapping_spa::backend
 

@@ -12,7 +12,7 @@ namespace {
 // do, need no table.
 class Positions {
  public:
-  explicit Positions(const std::vector<Node>& nodes) : size_(static_cast<int>(nodes.size())) {
+  explicit Positions(std::span<const Node> nodes) : size_(static_cast<int>(nodes.size())) {
     if (nodes.empty()) return;
     first_ = nodes.front().id;
     for (int k = 0; k < size_ && counting_; ++k) {
@@ -55,7 +55,7 @@ int FindRoot(std::vector<int>& parent, int node) {
 
 }  // namespace
 
-GraphIndex IndexGraph(const PoseGraph& graph) {
+GraphIndex IndexGraph(const PoseGraphView& graph) {
   const int node_count = static_cast<int>(graph.nodes.size());
   const Positions positions(graph.nodes);
   GraphIndex index;

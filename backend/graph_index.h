@@ -24,7 +24,7 @@ struct GraphIndex {
 
 // Throws std::invalid_argument with one line when two nodes share an id or an edge names a node
 // that does not exist.
-GraphIndex IndexGraph(const PoseGraph& graph);
+GraphIndex IndexGraph(const PoseGraphView& graph);
 
 }  // namespace gmapping_spa::backend
 

@@ -27,8 +27,9 @@ Incidence MakeIncidence(const GraphIndex& index, int node_count) {
   return incidence;
 }
 
-void InitializeAlongTree(const GraphIndex& index, bool prefer_odometry, PoseGraph* graph) {
-  const int node_count = static_cast<int>(graph->nodes.size());
+void InitializeAlongTree(const PoseGraphView& graph, const GraphIndex& index, bool prefer_odometry,
+                         std::vector<SE2>* poses) {
+  const int node_count = static_cast<int>(graph.nodes.size());
   const Incidence incidence = MakeIncidence(index, node_count);
   std::vector<bool> reached = index.held;
   std::queue<int> along_odometry, along_any;
@@ -43,13 +44,12 @@ void InitializeAlongTree(const GraphIndex& index, bool prefer_odometry, PoseGrap
     const int from = queue.front();
     queue.pop();
     for (int k = incidence.begin[from]; k < incidence.begin[from + 1]; ++k) {
-      const Edge& edge = graph->edges[incidence.edge[k]];
+      const Edge& edge = graph.edges[incidence.edge[k]];
       const EdgeNodes& nodes = index.edges[incidence.edge[k]];
       if (odometry_only && edge.kind == EdgeKind::kLoopClosure) continue;
       const int to = nodes.i == from ? nodes.j : nodes.i;
       if (reached[to]) continue;
-      graph->nodes[to].world_T_node =
-          graph->nodes[from].world_T_node * (nodes.i == from ? edge.i_T_j : Inverse(edge.i_T_j));
+      (*poses)[to] = (*poses)[from] * (nodes.i == from ? edge.i_T_j : Inverse(edge.i_T_j));
       reached[to] = true;
       along_odometry.push(to);
       along_any.push(to);
@@ -59,12 +59,14 @@ void InitializeAlongTree(const GraphIndex& index, bool prefer_odometry, PoseGrap
 
 }  // namespace
 
-void InitializeFromOdometry(const GraphIndex& index, PoseGraph* graph) {
-  InitializeAlongTree(index, /*prefer_odometry=*/true, graph);
+void InitializeFromOdometry(const PoseGraphView& graph, const GraphIndex& index,
+                            std::vector<SE2>* poses) {
+  InitializeAlongTree(graph, index, /*prefer_odometry=*/true, poses);
 }
 
-void InitializeFromSpanningTree(const GraphIndex& index, PoseGraph* graph) {
-  InitializeAlongTree(index, /*prefer_odometry=*/false, graph);
+void InitializeFromSpanningTree(const PoseGraphView& graph, const GraphIndex& index,
+                                std::vector<SE2>* poses) {
+  InitializeAlongTree(graph, index, /*prefer_odometry=*/false, poses);
 }
 
 }  // namespace gmapping_spa::backend

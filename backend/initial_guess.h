@@ -2,18 +2,22 @@
 #ifndef GMAPPING_SPA_BACKEND_INITIAL_GUESS_H_
 #define GMAPPING_SPA_BACKEND_INITIAL_GUESS_H_
 
+#include <vector>
+
 #include "backend/graph_index.h"
 #include "backend/pose_graph.h"
 
 namespace gmapping_spa::backend {
 
-// Replaces the pose of every node that is not held by the pose that follows from a held one along
-// odometry and scan-match edges, crossing a loop closure only where nothing else leads on.
-void InitializeFromOdometry(const GraphIndex& index, PoseGraph* graph);
+// Replaces those of `poses` (one for each node) that are not held by what follows from a held one
+// along odometry and scan-match edges, crossing a loop closure only where nothing else leads on.
+void InitializeFromOdometry(const PoseGraphView& graph, const GraphIndex& index,
+                            std::vector<SE2>* poses);
 
 // The same along a breadth-first spanning tree of all edges: short chains, so little drift, at the
 // mercy of wrong loop closures.
-void InitializeFromSpanningTree(const GraphIndex& index, PoseGraph* graph);
+void InitializeFromSpanningTree(const PoseGraphView& graph, const GraphIndex& index,
+                                std::vector<SE2>* poses);
 
 }  // namespace gmapping_spa::backend
 

@@ -16,11 +16,8 @@ constexpr double kRoundingTolerance = 1e-12;
 
 // What the result breaks of the contract, or nothing. Leaves its cost in `*cost`.
 std::string Violation(const PoseGraph& result, const std::vector<Node>& before,
-                      std::size_t edge_count, const GraphIndex& index, const Options& options,
-                      double initial_cost, double* cost) {
-  if (result.nodes.size() != before.size() || result.edges.size() != edge_count) {
-    return "it returned a graph of another size";
-  }
+                      const GraphIndex& index, const Options& options, double initial_cost,
+                      double* cost) {
   for (std::size_t k = 0; k < before.size(); ++k) {
     const Node &node = result.nodes[k], &original = before[k];
     if (node.id != original.id || node.fixed != original.fixed ||
@@ -48,14 +45,13 @@ Summary OptimizeSafely(const Options& options, Optimizer* optimizer, PoseGraph* 
   const GraphIndex index = IndexGraph(*graph);
   const double initial_cost = GraphCost(*graph, index, options.loss);
   const std::vector<Node> before = graph->nodes;
-  const std::size_t edge_count = graph->edges.size();
 
   Summary summary;
   double final_cost = initial_cost;
   try {
-    summary = optimizer->Optimize(options, graph);
+    summary = optimizer->Optimize(options, graph->edges, graph->nodes);
     const std::string violation =
-        Violation(*graph, before, edge_count, index, options, initial_cost, &final_cost);
+        Violation(*graph, before, index, options, initial_cost, &final_cost);
     if (!violation.empty()) {
       summary.termination = Termination::kFailure;
       summary.message = violation;

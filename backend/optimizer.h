@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,7 +26,7 @@ struct Options {
   int max_iterations = 100;
   Initialization initialization = Initialization::kAuto;
   // Converged when the linearised problem promises to lower the cost by less than this fraction.
-  double cost_tolerance = 1e-8;
+  double cost_tolerance = 1e-7;
   Loss loss;  // of loop closures
   // A back end's own options by name; its documentation lists them. Unknown ones are failures.
   std::map<std::string, std::string> settings;
@@ -58,10 +59,11 @@ struct Summary {
 class Optimizer {
  public:
   virtual ~Optimizer() = default;
-  // Changes nothing but the poses of `graph`, which are finite before and after, and never to ones
-  // of higher cost (GraphCost under options.loss). Leaves fixed nodes where they are, and the first
-  // node of each connected component that has none.
-  virtual Summary Optimize(const Options& options, PoseGraph* graph) = 0;
+  // Improves the poses of `nodes` and changes nothing else of them. Poses are finite before and
+  // after; never do those after cost more (GraphCost under options.loss). Leaves fixed nodes where
+  // they are, and the first node of each connected component that has none.
+  virtual Summary Optimize(const Options& options, std::span<const Edge> edges,
+                           std::span<Node> nodes) = 0;
 };
 
 // Names as used on command lines: auto, keep, odometry, spanning_tree, chordal; converged,

@@ -2,7 +2,6 @@
 #ifndef GMAPPING_SPA_BACKEND_PLUGIN_H_
 #define GMAPPING_SPA_BACKEND_PLUGIN_H_
 
-#include <algorithm>
 #include <exception>
 #include <memory>
 
@@ -54,17 +53,9 @@ class PluginAdapter {
     for (std::size_t k = 0; k < plain_options.setting_count; ++k) {
       options.settings[plain_options.settings[k].name] = plain_options.settings[k].value;
     }
-    graph_.nodes.assign(plain_graph.nodes, plain_graph.nodes + plain_graph.node_count);
-    graph_.edges.assign(plain_graph.edges, plain_graph.edges + plain_graph.edge_count);
-
-    const Summary summary = optimizer_.Optimize(options, &graph_);
-    if (graph_.nodes.size() != plain_graph.node_count) {
-      Fail("it returned another number of nodes than it was given", report);
-      return;
-    }
-    for (std::size_t k = 0; k < plain_graph.node_count; ++k) {
-      plain_graph.nodes[k].world_T_node = graph_.nodes[k].world_T_node;
-    }
+    const Summary summary =
+        optimizer_.Optimize(options, {plain_graph.edges, plain_graph.edge_count},
+                            {plain_graph.nodes, plain_graph.node_count});
     for (const IterationRecord& record : summary.iterations) {
       report.add_iteration(report.context, &record);
     }
@@ -73,7 +64,6 @@ class PluginAdapter {
   }
 
   OptimizerType optimizer_;
-  PoseGraph graph_;
 };
 
 }  // namespace gmapping_spa::backend

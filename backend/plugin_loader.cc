@@ -100,7 +100,8 @@ class PluginOptimizer : public Optimizer {
   PluginOptimizer(const PluginOptimizer&) = delete;
   PluginOptimizer& operator=(const PluginOptimizer&) = delete;
 
-  Summary Optimize(const Options& options, PoseGraph* graph) override {
+  Summary Optimize(const Options& options, std::span<const Edge> edges,
+                   std::span<Node> nodes) override {
     std::vector<PluginSetting> settings;
     for (const auto& [name, value] : options.settings) {
       settings.push_back({name.c_str(), value.c_str()});
@@ -108,8 +109,7 @@ class PluginOptimizer : public Optimizer {
     const PluginOptions plain_options{options.max_iterations, options.initialization,
                                       options.cost_tolerance, options.loss,
                                       settings.data(),        settings.size()};
-    const PluginGraph plain_graph{graph->nodes.data(), graph->nodes.size(), graph->edges.data(),
-                                  graph->edges.size()};
+    const PluginGraph plain_graph{nodes.data(), nodes.size(), edges.data(), edges.size()};
     Summary summary;
     const PluginReport report = ReportInto(&summary);
     table_.optimize(optimizer_, &plain_options, &plain_graph, &report);

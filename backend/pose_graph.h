@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "backend/se2.h"
@@ -36,6 +37,24 @@ struct PoseGraph {
   std::vector<Node> nodes;
   std::vector<Edge> edges;
 };
+
+// A pose graph to read, wherever its nodes and edges are kept: algorithms take this, so that a
+// graph crosses the boundary of a plugin without being copied.
+struct PoseGraphView {
+  std::span<const Node> nodes;
+  std::span<const Edge> edges;
+
+  PoseGraphView(std::span<const Node> the_nodes, std::span<const Edge> the_edges)
+      : nodes(the_nodes), edges(the_edges) {}
+  PoseGraphView(const PoseGraph& graph) : nodes(graph.nodes), edges(graph.edges) {}  // NOLINT
+};
+
+inline std::vector<SE2> PosesOf(const PoseGraphView& graph) {
+  std::vector<SE2> poses;
+  poses.reserve(graph.nodes.size());
+  for (const Node& node : graph.nodes) poses.push_back(node.world_T_node);
+  return poses;
+}
 
 }  // namespace gmapping_spa::backend
 

@@ -23,7 +23,7 @@ namespace {
 
 using backend::Initialization;
 using backend::Options;
-using backend::PoseGraph;
+using backend::PoseGraphView;
 using backend::SE2;
 using backend::Summary;
 using backend::Termination;
@@ -70,38 +70,41 @@ class RobustLoss : public ::ceres::LossFunction {
   return solver;
 }
 
-std::vector<SE2> StartingPoses(Initialization initialization, const PoseGraph& graph,
+std::vector<SE2> StartingPoses(Initialization initialization, const PoseGraphView& graph,
                                const backend::GraphIndex& index) {
-  PoseGraph start;
-  start.nodes = graph.nodes;
-  if (initialization == Initialization::kOdometry) {
-    start.edges = graph.edges;
-    backend::InitializeFromOdometry(index, &start);
-  } else if (initialization == Initialization::kSpanningTree) {
-    start.edges = graph.edges;
-    backend::InitializeFromSpanningTree(index, &start);
-  }
-  std::vector<SE2> poses;
-  for (const backend::Node& node : start.nodes) poses.push_back(node.world_T_node);
-  if (initialization == Initialization::kChordal) {
-    spa::GraphStructure structure;
-    spa::SolverMemory memory;
-    structure.Update(index);
-    spa::InitializeChordal(graph, index, structure.blocks(), structure.symbolic(), &memory, &poses);
+  std::vector<SE2> poses = PosesOf(graph);
+  switch (initialization) {
+    case Initialization::kAuto:
+    case Initialization::kKeep:
+      break;
+    case Initialization::kOdometry:
+      backend::InitializeFromOdometry(graph, index, &poses);
+      break;
+    case Initialization::kSpanningTree:
+      backend::InitializeFromSpanningTree(graph, index, &poses);
+      break;
+    case Initialization::kChordal: {
+      spa::GraphStructure structure;
+      spa::SolverMemory memory;
+      structure.Update(index);
+      spa::InitializeChordal(graph, structure, &memory, &poses);
+    }
   }
   return poses;
 }
 
-Summary OptimizeOrThrow(const Options& options, PoseGraph* graph) {
+Summary OptimizeOrThrow(const Options& options, std::span<const backend::Edge> edges,
+                        std::span<backend::Node> nodes) {
+  const PoseGraphView graph{nodes, edges};
   const ::ceres::Solver::Options solver_options = SolverOptions(options);
-  const backend::GraphIndex index = backend::IndexGraph(*graph);
+  const backend::GraphIndex index = backend::IndexGraph(graph);
   Summary summary;
-  summary.initial_cost = summary.final_cost = backend::GraphCost(*graph, index, options.loss);
+  summary.initial_cost = summary.final_cost = backend::GraphCost(graph, index, options.loss);
   if (!std::isfinite(summary.initial_cost)) {
     summary.message = "the cost of the given poses is not finite";
     return summary;
   }
-  std::vector<SE2> poses = StartingPoses(options.initialization, *graph, index);
+  std::vector<SE2> poses = StartingPoses(options.initialization, graph, index);
 
   // An SE2 is three doubles in a row. Angles are plain numbers: errors are wrapped, poses at the
   // end.
@@ -117,8 +120,8 @@ Summary OptimizeOrThrow(const Options& options, PoseGraph* graph) {
       problem.SetParameterBlockConstant(parameters(static_cast<int>(node)));
     }
   }
-  for (std::size_t k = 0; k < graph->edges.size(); ++k) {
-    const backend::Edge& edge = graph->edges[k];
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const backend::Edge& edge = edges[k];
     const auto [i, j] = index.edges[k];
     if (i == j) continue;  // no pose changes its error
     const bool trusted = backend::LossOfEdge(edge, options.loss) == backend::Loss{};
@@ -146,11 +149,11 @@ Summary OptimizeOrThrow(const Options& options, PoseGraph* graph) {
          iteration.step_solver_time_in_seconds, iteration.iteration_time_in_seconds});
   }
   for (SE2& pose : poses) pose.theta = backend::WrapAngle(pose.theta);
-  const double final_cost = backend::GraphCost(*graph, index, poses, options.loss);
+  const double final_cost = backend::GraphCost(graph, index, poses, options.loss);
   if (final_cost < summary.initial_cost) {
     summary.final_cost = final_cost;
     for (std::size_t k = 0; k < poses.size(); ++k) {
-      if (!index.held[k]) graph->nodes[k].world_T_node = poses[k];
+      if (!index.held[k]) nodes[k].world_T_node = poses[k];
     }
   }
   return summary;
@@ -158,9 +161,10 @@ Summary OptimizeOrThrow(const Options& options, PoseGraph* graph) {
 
 }  // namespace
 
-Summary CeresOptimizer::Optimize(const Options& options, PoseGraph* graph) {
+Summary CeresOptimizer::Optimize(const Options& options, std::span<const backend::Edge> edges,
+                                 std::span<backend::Node> nodes) {
   try {
-    return OptimizeOrThrow(options, graph);
+    return OptimizeOrThrow(options, edges, nodes);
   } catch (const std::exception& error) {
     Summary summary;
     summary.message = error.what();

@@ -22,7 +22,8 @@ namespace gmapping_spa::ceres_backend {
 // Options::cost_tolerance is Ceres' function_tolerance. Initialization kAuto is kKeep.
 class CeresOptimizer : public backend::Optimizer {
  public:
-  backend::Summary Optimize(const backend::Options& options, backend::PoseGraph* graph) override;
+  backend::Summary Optimize(const backend::Options& options, std::span<const backend::Edge> edges,
+                            std::span<backend::Node> nodes) override;
 };
 
 }  // namespace gmapping_spa::ceres_backend

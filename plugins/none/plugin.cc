@@ -8,12 +8,13 @@ namespace {
 
 class NoOptimizer : public backend::Optimizer {
  public:
-  backend::Summary Optimize(const backend::Options& options, backend::PoseGraph* graph) override {
+  backend::Summary Optimize(const backend::Options& options, std::span<const backend::Edge> edges,
+                            std::span<backend::Node> nodes) override {
     backend::SettingsReader(options.settings).RejectOthers();
     backend::Summary summary;
     summary.termination = backend::Termination::kConverged;
     summary.message = "left the poses as they were";
-    summary.initial_cost = summary.final_cost = backend::GraphCost(*graph, options.loss);
+    summary.initial_cost = summary.final_cost = backend::GraphCost({nodes, edges}, options.loss);
     return summary;
   }
 };

@@ -60,8 +60,8 @@ template <int kSize, typename Row>
   }
 }
 
-// The arrays of BlockCholesky. Plain pointers, so that the loop below compiles to the same
-// instructions whatever surrounds it.
+// The arrays of BlockCholesky. Plain pointers, so that the loops below compile to the same
+// instructions whatever surrounds them.
 struct Arrays {
   const double* diagonal;
   const double* off_diagonal;
@@ -70,8 +70,11 @@ struct Arrays {
   int* row;
   int* end;
   double* work;  // zero, kSize rows of kLanes for each column
+  double* x;     // the right-hand side, then the solution
 };
 
+// Factorizes row by row. Each row of L is at hand when it is complete, so that forward substitution
+// goes along at no cost: x becomes L^-1 x.
 template <int kSize>
 [[gnu::always_inline]] inline bool FactorizeRows(const BlockStructure& structure,
                                                  const SymbolicFactor& symbolic, Arrays arrays) {
@@ -93,17 +96,20 @@ template <int kSize>
     for (int a = 0; a < kSize; ++a) {
       for (int b = 0; b < kSize; ++b) pivot[a][b] = diagonal[a * kSize + b];
     }
+    double* const right = arrays.x + std::size_t{kSize} * k;
+    Row rest{};
+    for (int b = 0; b < kSize; ++b) rest[b] = right[b];
     // Solves L(0:k, 0:k) X = A(0:k, k), block by block; X' is row k of L.
     for (int p = symbolic.row_begin[k]; p < symbolic.row_begin[k + 1]; ++p) {
       const int i = symbolic.row_pattern[p];
       const double* const inverse = arrays.inverse_diagonal + kNumbers * i;
-      Row* const right = work + std::size_t{kSize} * i;
+      Row* const y = work + std::size_t{kSize} * i;
       Row x[kSize];
       for (int a = kSize - 1; a >= 0; --a) {
-        x[a] = inverse[a * kSize] * right[0];
-        for (int c = 1; c <= a; ++c) x[a] += inverse[a * kSize + c] * right[c];
+        x[a] = inverse[a * kSize] * y[0];
+        for (int c = 1; c <= a; ++c) x[a] += inverse[a * kSize + c] * y[c];
       }
-      for (int a = 0; a < kSize; ++a) right[a] = Row{};
+      for (int a = 0; a < kSize; ++a) y[a] = Row{};
       const int end = arrays.end[i];
       for (int q = symbolic.column_begin[i]; q < end; ++q) {
         SubtractProduct<kSize>(arrays.transposed + kNumbers * q, x,
@@ -114,22 +120,59 @@ template <int kSize>
         for (int b = 0; b < kSize; ++b) stored[a * kSize + b] = x[a][b];
       }
       SubtractProduct<kSize>(stored, x, pivot);
+      for (int a = 0; a < kSize; ++a) rest -= arrays.x[std::size_t{kSize} * i + a] * x[a];
       arrays.row[end] = k;
       arrays.end[i] = end + 1;
     }
-    if (!InvertFactor<kSize>(reinterpret_cast<const double*>(pivot), kLanes,
-                             arrays.inverse_diagonal + kNumbers * k)) {
+    double* const inverse = arrays.inverse_diagonal + kNumbers * k;
+    if (!InvertFactor<kSize>(reinterpret_cast<const double*>(pivot), kLanes, inverse)) {
       return false;
+    }
+    for (int a = 0; a < kSize; ++a) {
+      double sum = 0.0;
+      for (int c = 0; c <= a; ++c) sum += inverse[a * kSize + c] * rest[c];
+      right[a] = sum;
     }
   }
   return true;
 }
 
+// Back substitution: x becomes L'^-1 x.
+template <int kSize>
+[[gnu::always_inline]] inline void SubstituteBack(const SymbolicFactor& symbolic, Arrays arrays) {
+  constexpr std::size_t kNumbers = kSize * kSize;
+  for (int k = symbolic.columns() - 1; k >= 0; --k) {
+    double* const x = arrays.x + std::size_t{kSize} * k;
+    double y[kSize];
+    for (int a = 0; a < kSize; ++a) y[a] = x[a];
+    for (int q = symbolic.column_begin[k]; q < symbolic.column_begin[k + 1]; ++q) {
+      const double* const block = arrays.transposed + kNumbers * q;
+      const double* const known = arrays.x + std::size_t{kSize} * arrays.row[q];
+      for (int a = 0; a < kSize; ++a) {
+        for (int b = 0; b < kSize; ++b) y[a] -= block[a * kSize + b] * known[b];
+      }
+    }
+    const double* const inverse = arrays.inverse_diagonal + kNumbers * k;
+    for (int a = 0; a < kSize; ++a) {
+      x[a] = 0.0;
+      for (int c = a; c < kSize; ++c) x[a] += inverse[c * kSize + a] * y[c];
+    }
+  }
+}
+
+template <int kSize>
+[[gnu::always_inline]] inline bool SolveRows(const BlockStructure& structure,
+                                             const SymbolicFactor& symbolic, Arrays arrays) {
+  if (!FactorizeRows<kSize>(structure, symbolic, arrays)) return false;
+  SubstituteBack<kSize>(symbolic, arrays);
+  return true;
+}
+
 #if defined(__x86_64__)
 template <int kSize>
-[[gnu::target("avx2,fma")]] bool FactorizeRowsAvx2(const BlockStructure& structure,
-                                                   const SymbolicFactor& symbolic, Arrays arrays) {
-  return FactorizeRows<kSize>(structure, symbolic, arrays);
+[[gnu::target("avx2,fma")]] bool SolveRowsAvx2(const BlockStructure& structure,
+                                               const SymbolicFactor& symbolic, Arrays arrays) {
+  return SolveRows<kSize>(structure, symbolic, arrays);
 }
 bool HasAvx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
 #endif
@@ -137,8 +180,8 @@ bool HasAvx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports
 }  // namespace
 
 template <int kSize>
-bool BlockCholesky::Factorize(const BlockStructure& structure, const SymbolicFactor& symbolic,
-                              const BlockMatrix<kSize>& matrix) {
+bool BlockCholesky::Solve(const BlockStructure& structure, const SymbolicFactor& symbolic,
+                          const BlockMatrix<kSize>& matrix, std::vector<BlockVector<kSize>>* x) {
   const std::size_t columns = structure.columns(), blocks = symbolic.column_begin.back();
   inverse_diagonal_.resize(columns * kSize * kSize);
   transposed_.resize(blocks * kSize * kSize);
@@ -151,41 +194,17 @@ bool BlockCholesky::Factorize(const BlockStructure& structure, const SymbolicFac
                       transposed_.data(),
                       row_.data(),
                       end_.data(),
-                      work_.data()};
+                      work_.data(),
+                      reinterpret_cast<double*>(x->data())};
 #if defined(__x86_64__)
-  if (HasAvx2()) return FactorizeRowsAvx2<kSize>(structure, symbolic, arrays);
+  if (HasAvx2()) return SolveRowsAvx2<kSize>(structure, symbolic, arrays);
 #endif
-  return FactorizeRows<kSize>(structure, symbolic, arrays);
+  return SolveRows<kSize>(structure, symbolic, arrays);
 }
 
-template <int kSize>
-void BlockCholesky::Solve(const SymbolicFactor& symbolic,
-                          std::vector<BlockVector<kSize>>* x) const {
-  const auto block = [](const std::vector<double>& blocks, int k) {
-    return Eigen::Map<const Block<kSize>>(blocks.data() + std::size_t{kSize * kSize} * k);
-  };
-  std::vector<BlockVector<kSize>>& v = *x;
-  for (int k = 0; k < symbolic.columns(); ++k) {
-    const BlockVector<kSize> y = block(inverse_diagonal_, k) * v[k];
-    v[k] = y;
-    for (int q = symbolic.column_begin[k]; q < symbolic.column_begin[k + 1]; ++q) {
-      v[row_[q]].noalias() -= block(transposed_, q).transpose() * y;
-    }
-  }
-  for (int k = symbolic.columns() - 1; k >= 0; --k) {
-    BlockVector<kSize> y = v[k];
-    for (int q = symbolic.column_begin[k]; q < symbolic.column_begin[k + 1]; ++q) {
-      y.noalias() -= block(transposed_, q) * v[row_[q]];
-    }
-    v[k].noalias() = block(inverse_diagonal_, k).transpose() * y;
-  }
-}
-
-template bool BlockCholesky::Factorize<2>(const BlockStructure&, const SymbolicFactor&,
-                                          const BlockMatrix<2>&);
-template bool BlockCholesky::Factorize<3>(const BlockStructure&, const SymbolicFactor&,
-                                          const BlockMatrix<3>&);
-template void BlockCholesky::Solve<2>(const SymbolicFactor&, std::vector<BlockVector<2>>*) const;
-template void BlockCholesky::Solve<3>(const SymbolicFactor&, std::vector<BlockVector<3>>*) const;
+template bool BlockCholesky::Solve<2>(const BlockStructure&, const SymbolicFactor&,
+                                      const BlockMatrix<2>&, std::vector<BlockVector<2>>*);
+template bool BlockCholesky::Solve<3>(const BlockStructure&, const SymbolicFactor&,
+                                      const BlockMatrix<3>&, std::vector<BlockVector<3>>*);
 
 }  // namespace gmapping_spa::spa

@@ -8,21 +8,20 @@ namespace gmapping_spa::spa {
 namespace {
 
 using backend::Edge;
-using backend::GraphIndex;
-using backend::PoseGraph;
+using backend::PoseGraphView;
 using backend::SE2;
 
 // Minimises sum w |r_j - R(theta_ij) r_i|^2 over the vectors r of the free nodes, where w is the
 // information of the angle, and sets their angles to the directions of the vectors.
-bool SolveRotations(const PoseGraph& graph, const GraphIndex& index,
-                    const BlockStructure& structure, const SymbolicFactor& symbolic,
+bool SolveRotations(const PoseGraphView& graph, const GraphStructure& graph_structure,
                     BlockCholesky* cholesky, std::vector<SE2>* poses) {
+  const BlockStructure& structure = graph_structure.blocks();
   BlockMatrix<2> matrix;
   matrix.SetZero(structure);
   std::vector<BlockVector<2>> x(structure.columns(), BlockVector<2>::Zero());
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     const Edge& edge = graph.edges[e];
-    const auto [i, j] = index.edges[e];
+    const auto [i, j] = graph_structure.index().edges[e];
     const int a = structure.column_of_node[i], b = structure.column_of_node[j];
     if (a == b) continue;
     const double weight = edge.information(2, 2);
@@ -38,8 +37,7 @@ bool SolveRotations(const PoseGraph& graph, const GraphIndex& index,
     if (a < 0) x[b] += weighted_rotation * direction(i);
     if (b < 0) x[a] += weighted_rotation.transpose() * direction(j);
   }
-  if (!cholesky->Factorize(structure, symbolic, matrix)) return false;
-  cholesky->Solve(symbolic, &x);
+  if (!cholesky->Solve(structure, graph_structure.symbolic(), matrix, &x)) return false;
   for (int k = 0; k < structure.columns(); ++k) {
     (*poses)[structure.node_of_column[k]].theta = std::atan2(x[k].y(), x[k].x());
   }
@@ -47,16 +45,18 @@ bool SolveRotations(const PoseGraph& graph, const GraphIndex& index,
 }
 
 // Minimises the cost with the errors linearised about the angles of `poses`.
-bool SolvePoses(const PoseGraph& graph, const GraphIndex& index, const BlockStructure& structure,
-                const SymbolicFactor& symbolic, SolverMemory* memory, std::vector<SE2>* poses) {
-  for (const int node : structure.node_of_column) (*poses)[node].x = (*poses)[node].y = 0.0;
+bool SolvePoses(const PoseGraphView& graph, const GraphStructure& structure, SolverMemory* memory,
+                std::vector<SE2>* poses) {
+  const std::vector<int>& free_nodes = structure.blocks().node_of_column;
+  for (const int node : free_nodes) (*poses)[node].x = (*poses)[node].y = 0.0;
   NormalEquations& equations = memory->equations;
-  LinearizeForTranslations(graph, index, structure, *poses, &equations);
-  if (!memory->cholesky.Factorize(structure, symbolic, equations.hessian)) return false;
+  LinearizeForTranslations(graph, structure.index(), structure.blocks(), *poses, &equations);
   std::vector<BlockVector<3>>& x = equations.minus_gradient;
-  memory->cholesky.Solve(symbolic, &x);
-  for (int k = 0; k < structure.columns(); ++k) {
-    SE2& pose = (*poses)[structure.node_of_column[k]];
+  if (!memory->cholesky.Solve(structure.blocks(), structure.symbolic(), equations.hessian, &x)) {
+    return false;
+  }
+  for (std::size_t k = 0; k < free_nodes.size(); ++k) {
+    SE2& pose = (*poses)[free_nodes[k]];
     pose = {x[k].x(), x[k].y(), backend::WrapAngle(pose.theta + x[k].z())};
   }
   return true;
@@ -64,12 +64,11 @@ bool SolvePoses(const PoseGraph& graph, const GraphIndex& index, const BlockStru
 
 }  // namespace
 
-bool InitializeChordal(const PoseGraph& graph, const GraphIndex& index,
-                       const BlockStructure& structure, const SymbolicFactor& symbolic,
+bool InitializeChordal(const PoseGraphView& graph, const GraphStructure& structure,
                        SolverMemory* memory, std::vector<SE2>* poses) {
   std::vector<SE2> start = *poses;
-  if (!SolveRotations(graph, index, structure, symbolic, &memory->cholesky, &start)) return false;
-  if (!SolvePoses(graph, index, structure, symbolic, memory, &start)) return false;
+  if (!SolveRotations(graph, structure, &memory->cholesky, &start)) return false;
+  if (!SolvePoses(graph, structure, memory, &start)) return false;
   *poses = std::move(start);
   return true;
 }

@@ -6,9 +6,8 @@
 
 #include "backend/pose_graph.h"
 #include "plugins/spa/block_cholesky.h"
-#include "plugins/spa/block_structure.h"
+#include "plugins/spa/graph_structure.h"
 #include "plugins/spa/normal_equations.h"
-#include "plugins/spa/symbolic_factor.h"
 
 namespace gmapping_spa::spa {
 
@@ -24,8 +23,7 @@ struct SolverMemory {
 // rotations linearised where the first problem put them. Held nodes stay where `poses` has them;
 // free ones are replaced. Returns false, with `poses` as they were, when the information of the
 // edges does not determine the poses.
-bool InitializeChordal(const backend::PoseGraph& graph, const backend::GraphIndex& index,
-                       const BlockStructure& structure, const SymbolicFactor& symbolic,
+bool InitializeChordal(const backend::PoseGraphView& graph, const GraphStructure& structure,
                        SolverMemory* memory, std::vector<backend::SE2>* poses);
 
 }  // namespace gmapping_spa::spa

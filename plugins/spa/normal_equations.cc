@@ -52,7 +52,7 @@ void SetZero(const BlockStructure& structure, NormalEquations* equations) {
 
 }  // namespace
 
-void Linearize(const backend::PoseGraph& graph, const backend::GraphIndex& index,
+void Linearize(const backend::PoseGraphView& graph, const backend::GraphIndex& index,
                const BlockStructure& structure, const std::vector<SE2>& poses,
                const backend::Loss& loss, NormalEquations* equations) {
   SetZero(structure, equations);
@@ -75,7 +75,7 @@ void Linearize(const backend::PoseGraph& graph, const backend::GraphIndex& index
   }
 }
 
-void LinearizeForTranslations(const backend::PoseGraph& graph, const backend::GraphIndex& index,
+void LinearizeForTranslations(const backend::PoseGraphView& graph, const backend::GraphIndex& index,
                               const BlockStructure& structure, const std::vector<SE2>& poses,
                               NormalEquations* equations) {
   SetZero(structure, equations);

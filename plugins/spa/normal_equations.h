@@ -20,14 +20,14 @@ struct NormalEquations {
 };
 
 // Linearises `graph` at `poses` (one for each node) straight into the blocks of `structure`.
-void Linearize(const backend::PoseGraph& graph, const backend::GraphIndex& index,
+void Linearize(const backend::PoseGraphView& graph, const backend::GraphIndex& index,
                const BlockStructure& structure, const std::vector<backend::SE2>& poses,
                const backend::Loss& loss, NormalEquations* equations);
 
 // The same without a loss, for poses whose angles are good and whose free translations, zero, are
 // not yet known: the derivatives by the angles are taken as if the translations already agreed with
 // the measurements. What remains is linear in the translations.
-void LinearizeForTranslations(const backend::PoseGraph& graph, const backend::GraphIndex& index,
+void LinearizeForTranslations(const backend::PoseGraphView& graph, const backend::GraphIndex& index,
                               const BlockStructure& structure,
                               const std::vector<backend::SE2>& poses, NormalEquations* equations);
 

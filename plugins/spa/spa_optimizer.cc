@@ -15,7 +15,7 @@ namespace {
 
 using backend::Initialization;
 using backend::Options;
-using backend::PoseGraph;
+using backend::PoseGraphView;
 using backend::SE2;
 using backend::Summary;
 using backend::Termination;
@@ -27,22 +27,15 @@ constexpr double kFirstDamping = 1e-4;
 constexpr double kLastDamping = 1e10;
 constexpr double kDampingFactor = 10.0;
 
+// Rates of convergence up to this are taken for steady; a step without a predecessor has no rate.
+constexpr double kTrustedRate = 0.3;
+constexpr double kUnknown = 0.0;
+
 // How many times the last result's cost given poses may have and still pass for its continuation.
 constexpr double kContinuationCostRatio = 2.0;
 
 double SecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-std::vector<SE2> PosesOf(const PoseGraph& graph) {
-  std::vector<SE2> poses;
-  poses.reserve(graph.nodes.size());
-  for (const backend::Node& node : graph.nodes) poses.push_back(node.world_T_node);
-  return poses;
-}
-
-void SetPoses(const std::vector<SE2>& poses, PoseGraph* graph) {
-  for (std::size_t k = 0; k < poses.size(); ++k) graph->nodes[k].world_T_node = poses[k];
 }
 
 void AddStep(const BlockStructure& structure, const std::vector<BlockVector<3>>& step,
@@ -73,6 +66,15 @@ double PredictedDecrease(const NormalEquations& equations, double lambda,
   return decrease;
 }
 
+// Whether, after this step, the cost can be lowered by no more than `tolerance`. What the last two
+// Gauss-Newton steps promised tells what the next one will. Their rate may become worse on the way
+// from quadratic to linear convergence, hence its square root.
+bool HasConverged(double predicted, double last_predicted, double tolerance) {
+  if (predicted <= tolerance) return true;
+  const double rate = std::sqrt(predicted / last_predicted);
+  return rate <= kTrustedRate && rate * predicted <= tolerance;
+}
+
 double Raised(double damping) { return std::max(kFirstDamping, damping * kDampingFactor); }
 
 double Lowered(double damping) {
@@ -91,36 +93,40 @@ SpaOptimizer::Settings SpaOptimizer::ReadSettings(const Options& options) {
   return settings;
 }
 
-std::vector<SE2> SpaOptimizer::ChooseStart(const Options& options, const PoseGraph& graph,
+void SpaOptimizer::LinearizeAt(const Options& options, const PoseGraphView& graph,
+                               const std::vector<SE2>& poses) {
+  Linearize(graph, structure_.index(), structure_.blocks(), poses, options.loss,
+            &memory_.equations);
+}
+
+std::vector<SE2> SpaOptimizer::ChooseStart(const Options& options, const PoseGraphView& graph,
                                            double given_cost) {
-  const backend::GraphIndex& index = structure_.index();
-  std::vector<SE2> poses = PosesOf(graph);
+  const std::vector<SE2> given = PosesOf(graph);
+  std::vector<SE2> start = given;
+  bool only_if_cheaper = false;
   switch (options.initialization) {
     case Initialization::kKeep:
-      return poses;
+      break;
     case Initialization::kOdometry:
-    case Initialization::kSpanningTree: {
-      PoseGraph start = graph;
-      if (options.initialization == Initialization::kOdometry) {
-        backend::InitializeFromOdometry(index, &start);
-      } else {
-        backend::InitializeFromSpanningTree(index, &start);
-      }
-      return PosesOf(start);
-    }
+      backend::InitializeFromOdometry(graph, structure_.index(), &start);
+      break;
+    case Initialization::kSpanningTree:
+      backend::InitializeFromSpanningTree(graph, structure_.index(), &start);
+      break;
     case Initialization::kAuto:
-      if (given_cost <= kContinuationCostRatio * last_cost_) return poses;
-      break;
+      if (given_cost <= kContinuationCostRatio * last_cost_) break;
+      only_if_cheaper = true;
+      [[fallthrough]];
     case Initialization::kChordal:
+      InitializeChordal(graph, structure_, &memory_, &start);
       break;
   }
-  std::vector<SE2> chordal = poses;
-  if (!InitializeChordal(graph, index, structure_.blocks(), structure_.symbolic(), &memory_,
-                         &chordal)) {
-    return poses;
+  LinearizeAt(options, graph, start);
+  if (only_if_cheaper && !(memory_.equations.cost < given_cost)) {
+    start = given;
+    LinearizeAt(options, graph, start);
   }
-  if (options.initialization == Initialization::kChordal) return chordal;
-  return backend::GraphCost(graph, index, chordal, options.loss) < given_cost ? chordal : poses;
+  return start;
 }
 
 bool SpaOptimizer::SolveStep(double lambda, bool cholmod, std::vector<BlockVector<3>>* step) {
@@ -138,23 +144,16 @@ bool SpaOptimizer::SolveStep(double lambda, bool cholmod, std::vector<BlockVecto
     return cholmod_.Solve(structure_.blocks(), *hessian,
                           !std::exchange(cholmod_knows_structure_, true), step);
   }
-  if (!memory_.cholesky.Factorize(structure_.blocks(), structure_.symbolic(), *hessian)) {
-    return false;
-  }
-  memory_.cholesky.Solve(structure_.symbolic(), step);
-  return true;
+  return memory_.cholesky.Solve(structure_.blocks(), structure_.symbolic(), *hessian, step);
 }
 
 void SpaOptimizer::Minimize(const Options& options, const Settings& settings,
-                            const PoseGraph& graph, std::vector<SE2>* poses, Summary* summary) {
-  const auto linearize = [&](const std::vector<SE2>& at) {
-    Linearize(graph, structure_.index(), structure_.blocks(), at, options.loss, &memory_.equations);
-  };
+                            const PoseGraphView& graph, std::vector<SE2>* poses, Summary* summary) {
   double damping = damping_.value_or(settings.damping);
+  double last_predicted = kUnknown;
   int rises = 0;
   std::vector<SE2> current = *poses;
   std::vector<BlockVector<3>> step;
-  linearize(current);
   summary->final_cost = memory_.equations.cost;
   summary->termination = Termination::kNoConvergence;
   summary->message = "ran out of iterations";
@@ -169,13 +168,15 @@ void SpaOptimizer::Minimize(const Options& options, const Settings& settings,
     bool improved = false, converged = false;
     if (solved) {
       record.step_norm = std::sqrt(SquaredNorm(step));
-      converged = PredictedDecrease(memory_.equations, damping, step) <=
-                  options.cost_tolerance * summary->final_cost;
+      const double predicted = PredictedDecrease(memory_.equations, damping, step);
+      converged = HasConverged(predicted, damping > 0.0 ? kUnknown : last_predicted,
+                               options.cost_tolerance * summary->final_cost);
+      last_predicted = predicted;
       AddStep(structure_.blocks(), step, &current);
       if (converged) {
         record.cost = backend::GraphCost(graph, structure_.index(), current, options.loss);
       } else {
-        linearize(current);
+        LinearizeAt(options, graph, current);
         record.cost = memory_.equations.cost;
       }
       improved = record.cost < summary->final_cost;
@@ -196,7 +197,7 @@ void SpaOptimizer::Minimize(const Options& options, const Settings& settings,
       rises = 0;
       if (solved) {
         current = *poses;
-        linearize(current);
+        LinearizeAt(options, graph, current);
       }
     }
     record.total_s = SecondsSince(iteration_start);
@@ -212,22 +213,24 @@ void SpaOptimizer::Minimize(const Options& options, const Settings& settings,
   damping_ = damping > kLastDamping ? settings.damping : (rises > 0 ? Raised(damping) : damping);
 }
 
-Summary SpaOptimizer::OptimizeOrThrow(const Options& options, PoseGraph* graph) {
+Summary SpaOptimizer::OptimizeOrThrow(const Options& options, std::span<const backend::Edge> edges,
+                                      std::span<backend::Node> nodes) {
   const Settings settings = ReadSettings(options);
-  structure_.Update(backend::IndexGraph(*graph));
+  const PoseGraphView graph{nodes, edges};
+  structure_.Update(backend::IndexGraph(graph));
   if (structure_.changed()) cholmod_knows_structure_ = false;
 
   Summary summary;
-  summary.initial_cost = backend::GraphCost(*graph, structure_.index(), options.loss);
+  summary.initial_cost = backend::GraphCost(graph, structure_.index(), options.loss);
   summary.final_cost = summary.initial_cost;
   if (!std::isfinite(summary.initial_cost)) {
     summary.message = "the cost of the given poses is not finite";
     return summary;
   }
-  std::vector<SE2> poses = ChooseStart(options, *graph, summary.initial_cost);
-  Minimize(options, settings, *graph, &poses, &summary);
+  std::vector<SE2> poses = ChooseStart(options, graph, summary.initial_cost);
+  Minimize(options, settings, graph, &poses, &summary);
   if (summary.final_cost < summary.initial_cost) {
-    SetPoses(poses, graph);
+    for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k].world_T_node = poses[k];
   } else {
     summary.final_cost = summary.initial_cost;
   }
@@ -235,9 +238,10 @@ Summary SpaOptimizer::OptimizeOrThrow(const Options& options, PoseGraph* graph) 
   return summary;
 }
 
-Summary SpaOptimizer::Optimize(const Options& options, PoseGraph* graph) {
+Summary SpaOptimizer::Optimize(const Options& options, std::span<const backend::Edge> edges,
+                               std::span<backend::Node> nodes) {
   try {
-    return OptimizeOrThrow(options, graph);
+    return OptimizeOrThrow(options, edges, nodes);
   } catch (const std::exception& error) {
     Summary summary;
     summary.message = error.what();

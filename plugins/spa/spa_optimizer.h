@@ -28,7 +28,8 @@ namespace gmapping_spa::spa {
 // relaxation.
 class SpaOptimizer : public backend::Optimizer {
  public:
-  backend::Summary Optimize(const backend::Options& options, backend::PoseGraph* graph) override;
+  backend::Summary Optimize(const backend::Options& options, std::span<const backend::Edge> edges,
+                            std::span<backend::Node> nodes) override;
 
  private:
   struct Settings {
@@ -38,16 +39,22 @@ class SpaOptimizer : public backend::Optimizer {
   };
   static Settings ReadSettings(const backend::Options& options);
 
-  backend::Summary OptimizeOrThrow(const backend::Options& options, backend::PoseGraph* graph);
+  backend::Summary OptimizeOrThrow(const backend::Options& options,
+                                   std::span<const backend::Edge> edges,
+                                   std::span<backend::Node> nodes);
 
-  // Where the minimization starts.
+  // Makes the normal equations at `poses`.
+  void LinearizeAt(const backend::Options& options, const backend::PoseGraphView& graph,
+                   const std::vector<backend::SE2>& poses);
+
+  // Where the minimization starts; the normal equations are those there.
   std::vector<backend::SE2> ChooseStart(const backend::Options& options,
-                                        const backend::PoseGraph& graph, double given_cost);
+                                        const backend::PoseGraphView& graph, double given_cost);
 
-  // Lowers the cost from `*poses` on; they end as the best ones met. Fills in all of `summary` but
-  // the initial cost.
+  // Lowers the cost from `*poses`, where the normal equations are, on; they end as the best ones
+  // met. Fills in all of `summary` but the initial cost.
   void Minimize(const backend::Options& options, const Settings& settings,
-                const backend::PoseGraph& graph, std::vector<backend::SE2>* poses,
+                const backend::PoseGraphView& graph, std::vector<backend::SE2>* poses,
                 backend::Summary* summary);
 
   // Solves eq. (5), (H + lambda diag(H)) dx = -g. False when the matrix is not positive definite.
