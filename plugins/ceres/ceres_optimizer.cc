@@ -87,7 +87,7 @@ std::vector<SE2> StartingPoses(Initialization initialization, const PoseGraphVie
       spa::GraphStructure structure;
       spa::SolverMemory memory;
       structure.Update(index);
-      spa::InitializeChordal(graph, structure, &memory, &poses);
+      if (!spa::InitializeChordal(graph, structure, &memory, &poses)) poses = PosesOf(graph);
     }
   }
   return poses;

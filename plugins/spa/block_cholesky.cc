@@ -23,7 +23,7 @@ struct RowOf<3> {
 // Inverts the factor of a diagonal block (its upper triangle is read). False when the block is not
 // positive definite.
 template <int kSize>
-bool InvertFactor(const double* block, int stride, double* inverse) {
+[[gnu::always_inline]] inline bool InvertFactor(const double* block, int stride, double* inverse) {
   double l[kSize][kSize] = {};
   for (int k = 0; k < kSize * kSize; ++k) inverse[k] = 0.0;
   for (int c = 0; c < kSize; ++c) {
@@ -181,15 +181,15 @@ bool HasAvx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports
 
 template <int kSize>
 bool BlockCholesky::Solve(const BlockStructure& structure, const SymbolicFactor& symbolic,
-                          const BlockMatrix<kSize>& matrix, std::vector<BlockVector<kSize>>* x) {
+                          const BlockMatrix& matrix, std::vector<BlockVector<kSize>>* x) {
   const std::size_t columns = structure.columns(), blocks = symbolic.column_begin.back();
   inverse_diagonal_.resize(columns * kSize * kSize);
   transposed_.resize(blocks * kSize * kSize);
   row_.resize(blocks);
   end_.assign(symbolic.column_begin.begin(), symbolic.column_begin.end() - 1);
   work_.assign(columns * kSize * RowOf<kSize>::kLanes, 0.0);
-  const Arrays arrays{reinterpret_cast<const double*>(matrix.diagonal.data()),
-                      reinterpret_cast<const double*>(matrix.off_diagonal.data()),
+  const Arrays arrays{matrix.diagonal_data(),
+                      matrix.off_diagonal_data(),
                       inverse_diagonal_.data(),
                       transposed_.data(),
                       row_.data(),
@@ -203,8 +203,8 @@ bool BlockCholesky::Solve(const BlockStructure& structure, const SymbolicFactor&
 }
 
 template bool BlockCholesky::Solve<2>(const BlockStructure&, const SymbolicFactor&,
-                                      const BlockMatrix<2>&, std::vector<BlockVector<2>>*);
+                                      const BlockMatrix&, std::vector<BlockVector<2>>*);
 template bool BlockCholesky::Solve<3>(const BlockStructure&, const SymbolicFactor&,
-                                      const BlockMatrix<3>&, std::vector<BlockVector<3>>*);
+                                      const BlockMatrix&, std::vector<BlockVector<3>>*);
 
 }  // namespace gmapping_spa::spa

@@ -13,15 +13,15 @@ namespace gmapping_spa::spa {
 // walked once for kSize^2 numbers and the inner loop is a product of blocks whose size the compiler
 // knows: that is where the speed comes from on pose graphs, whose supernodes are small.
 //
-// Solve is instantiated for kSize 2 and 3. One object serves both in turn and keeps its memory:
-// on graphs of this size, getting memory from the system takes as long as a factorization.
+// Solve is instantiated for kSize 2 and 3. One object serves both in turn and keeps its memory: on
+// graphs of this size, getting memory from the system takes as long as a factorization.
 class BlockCholesky {
  public:
   // Replaces the right-hand side `x` (one block for each column) by the solution. Returns false,
   // with `x` undefined, when the matrix is not positive definite.
   template <int kSize>
   bool Solve(const BlockStructure& structure, const SymbolicFactor& symbolic,
-             const BlockMatrix<kSize>& matrix, std::vector<BlockVector<kSize>>* x);
+             const BlockMatrix& matrix, std::vector<BlockVector<kSize>>* x);
 
  private:
   std::vector<double> inverse_diagonal_;  // blocks of L, inverted

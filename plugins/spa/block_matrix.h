@@ -15,25 +15,55 @@ using Block = Eigen::Matrix<double, kSize, kSize, Eigen::RowMajor | Eigen::DontA
 template <int kSize>
 using BlockVector = Eigen::Matrix<double, kSize, 1, Eigen::DontAlign>;
 
-template <int kSize>
-struct BlockMatrix {
-  std::vector<Block<kSize>> diagonal;      // one for each column
-  std::vector<Block<kSize>> off_diagonal;  // one for each block of the structure
-
+// One object serves for blocks of different sizes in turn and keeps its memory: on graphs of the
+// usual size, getting memory from the system takes as long as a factorization.
+class BlockMatrix {
+ public:
+  // Makes all blocks of the structure zero matrices of kSize rows.
+  template <int kSize>
   void SetZero(const BlockStructure& structure) {
-    diagonal.assign(structure.columns(), Block<kSize>::Zero());
-    off_diagonal.assign(structure.blocks(), Block<kSize>::Zero());
+    diagonal_.assign(std::size_t{kSize * kSize} * structure.columns(), 0.0);
+    off_diagonal_.assign(std::size_t{kSize * kSize} * structure.blocks(), 0.0);
+  }
+
+  // The block of a column on the diagonal, and that of an entry of BlockStructure::row above it.
+  // kSize is that of the last SetZero.
+  template <int kSize>
+  Eigen::Map<Block<kSize>> diagonal(int column) {
+    return Eigen::Map<Block<kSize>>(diagonal_.data() + std::size_t{kSize * kSize} * column);
+  }
+  template <int kSize>
+  Eigen::Map<Block<kSize>> off_diagonal(int block) {
+    return Eigen::Map<Block<kSize>>(off_diagonal_.data() + std::size_t{kSize * kSize} * block);
+  }
+  template <int kSize>
+  Eigen::Map<const Block<kSize>> diagonal(int column) const {
+    return Eigen::Map<const Block<kSize>>(diagonal_.data() + std::size_t{kSize * kSize} * column);
+  }
+  template <int kSize>
+  Eigen::Map<const Block<kSize>> off_diagonal(int block) const {
+    return Eigen::Map<const Block<kSize>>(off_diagonal_.data() +
+                                          std::size_t{kSize * kSize} * block);
   }
 
   // Adds the second derivative of an edge's cost by i and j, in that order.
+  template <int kSize>
   void AddOffDiagonal(BlockStructure::Slot slot, const Block<kSize>& block) {
     if (slot.block < 0) return;
     if (slot.transposed) {
-      off_diagonal[slot.block] += block.transpose();
+      off_diagonal<kSize>(slot.block) += block.transpose();
     } else {
-      off_diagonal[slot.block] += block;
+      off_diagonal<kSize>(slot.block) += block;
     }
   }
+
+  // All blocks, one after the other, by rows.
+  const double* diagonal_data() const { return diagonal_.data(); }
+  const double* off_diagonal_data() const { return off_diagonal_.data(); }
+
+ private:
+  std::vector<double> diagonal_;
+  std::vector<double> off_diagonal_;
 };
 
 }  // namespace gmapping_spa::spa

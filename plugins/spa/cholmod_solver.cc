@@ -58,14 +58,14 @@ struct CholmodSolver::Workspace {
     if (factor == nullptr) throw std::bad_alloc();
   }
 
-  void SetValues(const BlockStructure& structure, const BlockMatrix<3>& blocks) const {
+  void SetValues(const BlockStructure& structure, const BlockMatrix& blocks) const {
     double* value = static_cast<double*>(matrix->x);
     for (int k = 0; k < structure.columns(); ++k) {
       for (int c = 0; c < 3; ++c) {
         for (int p = structure.begin[k]; p < structure.begin[k + 1]; ++p) {
-          for (int r = 0; r < 3; ++r) *value++ = blocks.off_diagonal[p](r, c);
+          for (int r = 0; r < 3; ++r) *value++ = blocks.off_diagonal<3>(p)(r, c);
         }
-        for (int r = 0; r <= c; ++r) *value++ = blocks.diagonal[k](r, c);
+        for (int r = 0; r <= c; ++r) *value++ = blocks.diagonal<3>(k)(r, c);
       }
     }
   }
@@ -74,7 +74,7 @@ struct CholmodSolver::Workspace {
 CholmodSolver::CholmodSolver() : workspace_(std::make_unique<Workspace>()) {}
 CholmodSolver::~CholmodSolver() = default;
 
-bool CholmodSolver::Solve(const BlockStructure& structure, const BlockMatrix<3>& matrix,
+bool CholmodSolver::Solve(const BlockStructure& structure, const BlockMatrix& matrix,
                           bool new_structure, std::vector<BlockVector<3>>* x) {
   if (structure.columns() == 0) return true;
   Workspace& w = *workspace_;

@@ -19,7 +19,7 @@ class CholmodSolver {
   // Replaces the right-hand side `x` (one block for each column) by the solution. Returns false,
   // with `x` as it was, when the matrix is not positive definite. `new_structure` says that the
   // pattern may differ from that of the call before.
-  bool Solve(const BlockStructure& structure, const BlockMatrix<3>& matrix, bool new_structure,
+  bool Solve(const BlockStructure& structure, const BlockMatrix& matrix, bool new_structure,
              std::vector<BlockVector<3>>* x);
 
  private:

@@ -14,10 +14,10 @@ using backend::SE2;
 // Minimises sum w |r_j - R(theta_ij) r_i|^2 over the vectors r of the free nodes, where w is the
 // information of the angle, and sets their angles to the directions of the vectors.
 bool SolveRotations(const PoseGraphView& graph, const GraphStructure& graph_structure,
-                    BlockCholesky* cholesky, std::vector<SE2>* poses) {
+                    SolverMemory* memory, std::vector<SE2>* poses) {
   const BlockStructure& structure = graph_structure.blocks();
-  BlockMatrix<2> matrix;
-  matrix.SetZero(structure);
+  BlockMatrix& matrix = memory->equations.hessian;
+  matrix.SetZero<2>(structure);
   std::vector<BlockVector<2>> x(structure.columns(), BlockVector<2>::Zero());
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     const Edge& edge = graph.edges[e];
@@ -28,16 +28,16 @@ bool SolveRotations(const PoseGraphView& graph, const GraphStructure& graph_stru
     const double c = weight * std::cos(edge.i_T_j.theta), s = weight * std::sin(edge.i_T_j.theta);
     Block<2> weighted_rotation;
     weighted_rotation << c, -s, s, c;
-    if (a >= 0) matrix.diagonal[a].diagonal().array() += weight;
-    if (b >= 0) matrix.diagonal[b].diagonal().array() += weight;
-    matrix.AddOffDiagonal(structure.slot_of_edge[e], -weighted_rotation.transpose());
+    if (a >= 0) matrix.diagonal<2>(a).diagonal().array() += weight;
+    if (b >= 0) matrix.diagonal<2>(b).diagonal().array() += weight;
+    matrix.AddOffDiagonal<2>(structure.slot_of_edge[e], -weighted_rotation.transpose());
     const auto direction = [&](int node) {
       return BlockVector<2>(std::cos((*poses)[node].theta), std::sin((*poses)[node].theta));
     };
     if (a < 0) x[b] += weighted_rotation * direction(i);
     if (b < 0) x[a] += weighted_rotation.transpose() * direction(j);
   }
-  if (!cholesky->Solve(structure, graph_structure.symbolic(), matrix, &x)) return false;
+  if (!memory->cholesky.Solve(structure, graph_structure.symbolic(), matrix, &x)) return false;
   for (int k = 0; k < structure.columns(); ++k) {
     (*poses)[structure.node_of_column[k]].theta = std::atan2(x[k].y(), x[k].x());
   }
@@ -66,11 +66,8 @@ bool SolvePoses(const PoseGraphView& graph, const GraphStructure& structure, Sol
 
 bool InitializeChordal(const PoseGraphView& graph, const GraphStructure& structure,
                        SolverMemory* memory, std::vector<SE2>* poses) {
-  std::vector<SE2> start = *poses;
-  if (!SolveRotations(graph, structure, &memory->cholesky, &start)) return false;
-  if (!SolvePoses(graph, structure, memory, &start)) return false;
-  *poses = std::move(start);
-  return true;
+  return SolveRotations(graph, structure, memory, poses) &&
+         SolvePoses(graph, structure, memory, poses);
 }
 
 }  // namespace gmapping_spa::spa

@@ -21,7 +21,7 @@ struct SolverMemory {
 // Dellaert 2015, "Initialization techniques for 3D SLAM", section III-B, in the plane):
 // the rotations as vectors (cos, sin) that need not have unit length, then all poses with the
 // rotations linearised where the first problem put them. Held nodes stay where `poses` has them;
-// free ones are replaced. Returns false, with `poses` as they were, when the information of the
+// free ones are replaced. Returns false, with `poses` undefined, when the information of the
 // edges does not determine the poses.
 bool InitializeChordal(const backend::PoseGraphView& graph, const GraphStructure& structure,
                        SolverMemory* memory, std::vector<backend::SE2>* poses);

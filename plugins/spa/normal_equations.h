@@ -15,7 +15,7 @@ namespace gmapping_spa::spa {
 // information Lambda of each edge weighted by its loss.
 struct NormalEquations {
   double cost = 0.0;
-  BlockMatrix<3> hessian;
+  BlockMatrix hessian;  // 3x3
   std::vector<BlockVector<3>> minus_gradient;
 };
 

@@ -27,9 +27,8 @@ constexpr double kFirstDamping = 1e-4;
 constexpr double kLastDamping = 1e10;
 constexpr double kDampingFactor = 10.0;
 
-// Rates of convergence up to this are taken for steady; a step without a predecessor has no rate.
-constexpr double kTrustedRate = 0.3;
-constexpr double kUnknown = 0.0;
+// From where on, as a fraction of the cost, a Gauss-Newton step may be the last one.
+constexpr double kLastStepDecrease = 1e-2;
 
 // How many times the last result's cost given poses may have and still pass for its continuation.
 constexpr double kContinuationCostRatio = 2.0;
@@ -60,19 +59,11 @@ double PredictedDecrease(const NormalEquations& equations, double lambda,
   double decrease = 0.0;
   for (std::size_t k = 0; k < step.size(); ++k) {
     const BlockVector<3> damped =
-        lambda * equations.hessian.diagonal[k].diagonal().cwiseProduct(step[k]);
+        lambda *
+        equations.hessian.diagonal<3>(static_cast<int>(k)).diagonal().cwiseProduct(step[k]);
     decrease += 0.5 * step[k].dot(equations.minus_gradient[k] + damped);
   }
   return decrease;
-}
-
-// Whether, after this step, the cost can be lowered by no more than `tolerance`. What the last two
-// Gauss-Newton steps promised tells what the next one will. Their rate may become worse on the way
-// from quadratic to linear convergence, hence its square root.
-bool HasConverged(double predicted, double last_predicted, double tolerance) {
-  if (predicted <= tolerance) return true;
-  const double rate = std::sqrt(predicted / last_predicted);
-  return rate <= kTrustedRate && rate * predicted <= tolerance;
 }
 
 double Raised(double damping) { return std::max(kFirstDamping, damping * kDampingFactor); }
@@ -101,8 +92,7 @@ void SpaOptimizer::LinearizeAt(const Options& options, const PoseGraphView& grap
 
 std::vector<SE2> SpaOptimizer::ChooseStart(const Options& options, const PoseGraphView& graph,
                                            double given_cost) {
-  const std::vector<SE2> given = PosesOf(graph);
-  std::vector<SE2> start = given;
+  std::vector<SE2> start = PosesOf(graph);
   bool only_if_cheaper = false;
   switch (options.initialization) {
     case Initialization::kKeep:
@@ -118,22 +108,23 @@ std::vector<SE2> SpaOptimizer::ChooseStart(const Options& options, const PoseGra
       only_if_cheaper = true;
       [[fallthrough]];
     case Initialization::kChordal:
-      InitializeChordal(graph, structure_, &memory_, &start);
+      if (!InitializeChordal(graph, structure_, &memory_, &start)) start = PosesOf(graph);
       break;
   }
   LinearizeAt(options, graph, start);
   if (only_if_cheaper && !(memory_.equations.cost < given_cost)) {
-    start = given;
+    start = PosesOf(graph);
     LinearizeAt(options, graph, start);
   }
   return start;
 }
 
 bool SpaOptimizer::SolveStep(double lambda, bool cholmod, std::vector<BlockVector<3>>* step) {
-  const BlockMatrix<3>* hessian = &memory_.equations.hessian;
+  const BlockMatrix* hessian = &memory_.equations.hessian;
   if (lambda > 0.0) {
     damped_ = *hessian;
-    for (Block<3>& block : damped_.diagonal) {
+    for (int k = 0; k < structure_.blocks().columns(); ++k) {
+      Eigen::Map<Block<3>> block = damped_.diagonal<3>(k);
       // Coordinates that no measurement sees are held by the damping alone.
       for (int c = 0; c < 3; ++c) block(c, c) += lambda * (block(c, c) > 0.0 ? block(c, c) : 1.0);
     }
@@ -150,7 +141,6 @@ bool SpaOptimizer::SolveStep(double lambda, bool cholmod, std::vector<BlockVecto
 void SpaOptimizer::Minimize(const Options& options, const Settings& settings,
                             const PoseGraphView& graph, std::vector<SE2>* poses, Summary* summary) {
   double damping = damping_.value_or(settings.damping);
-  double last_predicted = kUnknown;
   int rises = 0;
   std::vector<SE2> current = *poses;
   std::vector<BlockVector<3>> step;
@@ -166,16 +156,21 @@ void SpaOptimizer::Minimize(const Options& options, const Settings& settings,
     record.linear_solver_s = SecondsSince(iteration_start);
 
     bool improved = false, converged = false;
+    const double tolerance = options.cost_tolerance * summary->final_cost;
     if (solved) {
       record.step_norm = std::sqrt(SquaredNorm(step));
       const double predicted = PredictedDecrease(memory_.equations, damping, step);
-      converged = HasConverged(predicted, damping > 0.0 ? kUnknown : last_predicted,
-                               options.cost_tolerance * summary->final_cost);
-      last_predicted = predicted;
       AddStep(structure_.blocks(), step, &current);
-      if (converged) {
+      if (damping <= kFirstDamping && predicted <= kLastStepDecrease * summary->final_cost) {
+        // Near the minimum, the next Gauss-Newton step gains no more than the quadratic model was
+        // wrong by.
         record.cost = backend::GraphCost(graph, structure_.index(), current, options.loss);
-      } else {
+        const double model_error = memory_.equations.cost - predicted - record.cost;
+        const bool next_gains_little = damping == 0.0 && std::abs(model_error) <= tolerance;
+        converged = (predicted <= tolerance || next_gains_little) &&
+                    record.cost <= summary->final_cost + tolerance;
+      }
+      if (!converged) {
         LinearizeAt(options, graph, current);
         record.cost = memory_.equations.cost;
       }
@@ -204,8 +199,9 @@ void SpaOptimizer::Minimize(const Options& options, const Settings& settings,
     summary->iterations.push_back(record);
     if (converged || damping > kLastDamping) {
       summary->termination = Termination::kConverged;
-      summary->message = converged ? "the predicted decrease of the cost is below the tolerance"
-                                   : "no step lowers the cost";
+      summary->message = converged
+                             ? "a further step would lower the cost by less than the tolerance"
+                             : "no step lowers the cost";
       break;
     }
   }

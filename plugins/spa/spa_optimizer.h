@@ -62,7 +62,7 @@ class SpaOptimizer : public backend::Optimizer {
 
   GraphStructure structure_;
   SolverMemory memory_;
-  BlockMatrix<3> damped_;  // memory of SolveStep
+  BlockMatrix damped_;  // memory of SolveStep
   CholmodSolver cholmod_;
   bool cholmod_knows_structure_ = false;
   std::optional<double> damping_;  // unset before the first call
