@@ -51,7 +51,9 @@ Summary OptimizeSafely(const Options& options, Optimizer* optimizer, PoseGraph* 
   try {
     summary = optimizer->Optimize(options, graph->edges, graph->nodes);
     const std::string violation =
-        Violation(*graph, before, index, options, initial_cost, &final_cost);
+        summary.termination == Termination::kFailure
+            ? summary.message
+            : Violation(*graph, before, index, options, initial_cost, &final_cost);
     if (!violation.empty()) {
       summary.termination = Termination::kFailure;
       summary.message = violation;

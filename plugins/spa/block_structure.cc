@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <new>
+#include <numeric>
 
 namespace gmapping_spa::spa {
 namespace {
@@ -85,8 +86,10 @@ BlockStructure OrderByMinimumDegree(const GraphIndex& index) {
   structure.node_of_column.resize(columns);
   structure.column_of_node.assign(index.held.size(), -1);
   structure.begin = {0};
-  if (columns > 0) {
-    const Adjacency adjacency = MakeAdjacency(index, number_of_node, 0, 0, columns);
+  const Adjacency adjacency = MakeAdjacency(index, number_of_node, 0, 0, columns);
+  if (adjacency.row.empty()) {
+    std::iota(structure.node_of_column.begin(), structure.node_of_column.end(), 0);
+  } else {
     if (amd_order(columns, adjacency.begin.data(), adjacency.row.data(),
                   structure.node_of_column.data(), nullptr, nullptr) != AMD_OK) {
       throw std::bad_alloc();  // its only other reason would be a malformed matrix

@@ -18,6 +18,7 @@ struct CholmodSolver::Workspace {
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_NATURAL;
     common.postorder = true;
+    common.final_ll = true;  // its LDL' would take indefinite matrices
   }
   ~Workspace() {
     Clear();
