@@ -1,0 +1,105 @@
+#include "experiments/apps/backend_flags.h"
+
+#include <gflags/gflags.h>
+
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+#include "backend/graduated_non_convexity.h"
+#include "backend/optimize_safely.h"
+#include "backend/plugin_loader.h"
+
+DEFINE_string(backend, "spa",
+              "What optimizes pose graphs: spa, ceres, none, the name of another back end in "
+              "$GMAPPING_SPA_PLUGIN_PATH, or the path of its shared library.");
+DEFINE_string(init, "auto",
+              "Where the optimizer starts: auto (its own choice), keep, odometry, spanning_tree, "
+              "chordal.");
+DEFINE_int32(max_iterations, 100, "Iterations an optimization may take.");
+DEFINE_double(cost_tolerance, 1e-7,
+              "An optimization has converged when a further step would lower the cost by less than "
+              "this fraction.");
+DEFINE_string(loss, "none",
+              "Loss of loop closures: none, huber, cauchy, dcs (dynamic covariance scaling), "
+              "truncated (truncated least squares).");
+DEFINE_double(loss_scale, 3.0,
+              "Standard deviations from which on --loss takes a loop closure for doubtful.");
+DEFINE_bool(gnc, true, "Approach --loss=truncated by graduated non-convexity.");
+DEFINE_string(backend_settings, "",
+              "Settings of a back end without flags of its own: name=value,name=value...");
+
+// Flags of the form --<backend>_<setting>; their defaults are the back ends' own.
+DEFINE_string(spa_solver, "block", "Linear solver of spa: block (3x3 blocks), cholmod.");
+DEFINE_double(spa_damping, 0.0, "Damping lambda (eq. 5) that spa begins with; 0: Gauss-Newton.");
+DEFINE_int32(spa_max_rises, 2,
+             "Steps in succession that may miss the lowest cost before spa starts damping.");
+DEFINE_string(ceres_linear_solver, "sparse_normal_cholesky",
+              "Linear solver of ceres: sparse_normal_cholesky, dense_normal_cholesky, dense_qr, "
+              "cgnr.");
+DEFINE_string(ceres_sparse_library, "suite_sparse", "suite_sparse or eigen_sparse.");
+DEFINE_string(ceres_trust_region, "levenberg_marquardt", "levenberg_marquardt or dogleg.");
+DEFINE_double(ceres_initial_radius, 1e4,
+              "First trust-region radius of ceres; 1e16 is nearly Gauss-Newton.");
+DEFINE_bool(ceres_nonmonotonic, false, "Let ceres take steps that raise the cost for a while.");
+DEFINE_bool(ceres_jacobi_scaling, true, "Let ceres scale the columns of the Jacobian.");
+DEFINE_double(ceres_gradient_tolerance, 1e-10, "Gradient below which ceres has converged.");
+DEFINE_double(ceres_parameter_tolerance, 1e-8, "Relative step below which ceres has converged.");
+DEFINE_int32(ceres_threads, 1, "Threads of ceres.");
+
+namespace gmapping_spa::apps {
+namespace {
+
+// Adds the --<backend>_<setting> flags that differ from their defaults.
+void AddFlagsOfBackend(backend::Options* options) {
+  const std::string prefix = FLAGS_backend + "_";
+  std::vector<gflags::CommandLineFlagInfo> flags;
+  gflags::GetAllFlags(&flags);
+  for (const gflags::CommandLineFlagInfo& flag : flags) {
+    if (flag.filename != __FILE__ || flag.is_default || !flag.name.starts_with(prefix)) continue;
+    options->settings[flag.name.substr(prefix.size())] = flag.current_value;
+  }
+}
+
+void AddBackendSettings(backend::Options* options) {
+  std::istringstream words(FLAGS_backend_settings);
+  for (std::string word; std::getline(words, word, ',');) {
+    const std::size_t equals = word.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw std::runtime_error("--backend_settings: expected name=value, found '" + word + "'");
+    }
+    options->settings[word.substr(0, equals)] = word.substr(equals + 1);
+  }
+}
+
+}  // namespace
+
+std::string BackendFromFlags() { return FLAGS_backend; }
+
+std::unique_ptr<backend::Optimizer> LoadOptimizerFromFlags() {
+  return backend::LoadOptimizer(FLAGS_backend);
+}
+
+backend::Options OptionsFromFlags() {
+  if (FLAGS_max_iterations < 0) throw std::runtime_error("--max_iterations must not be negative");
+  if (!(FLAGS_cost_tolerance >= 0)) throw std::runtime_error("--cost_tolerance is negative");
+  if (!(FLAGS_loss_scale > 0)) throw std::runtime_error("--loss_scale must be positive");
+  backend::Options options;
+  options.max_iterations = FLAGS_max_iterations;
+  options.initialization = backend::InitializationFromName(FLAGS_init);
+  options.cost_tolerance = FLAGS_cost_tolerance;
+  options.loss = {backend::LossKindFromName(FLAGS_loss), FLAGS_loss_scale};
+  AddFlagsOfBackend(&options);
+  AddBackendSettings(&options);
+  return options;
+}
+
+backend::Summary OptimizeAsFlagsSay(backend::Optimizer* optimizer, backend::PoseGraph* graph) {
+  const backend::Options options = OptionsFromFlags();
+  if (options.loss.kind == backend::LossKind::kTruncated && FLAGS_gnc) {
+    return backend::OptimizeGradually(options, optimizer, graph);
+  }
+  return backend::OptimizeSafely(options, optimizer, graph);
+}
+
+}  // namespace gmapping_spa::apps

@@ -1,0 +1,29 @@
+// The back end that the flags of a command line ask for.
+#ifndef GMAPPING_SPA_EXPERIMENTS_APPS_BACKEND_FLAGS_H_
+#define GMAPPING_SPA_EXPERIMENTS_APPS_BACKEND_FLAGS_H_
+
+#include <memory>
+#include <string>
+
+#include "backend/optimizer.h"
+
+namespace gmapping_spa::apps {
+
+// The value of --backend: a name or a path.
+std::string BackendFromFlags();
+
+// Loads the back end of --backend; throws std::runtime_error with one line.
+std::unique_ptr<backend::Optimizer> LoadOptimizerFromFlags();
+
+// The options of --loss, --init, ..., with those --<backend>_<setting> flags that were set, and
+// with
+// --backend_settings. Throws std::runtime_error with one line.
+backend::Options OptionsFromFlags();
+
+// Optimizes as the flags say, within backend::OptimizeSafely: under --loss=truncated by graduated
+// non-convexity unless --nognc.
+backend::Summary OptimizeAsFlagsSay(backend::Optimizer* optimizer, backend::PoseGraph* graph);
+
+}  // namespace gmapping_spa::apps
+
+#endif  // GMAPPING_SPA_EXPERIMENTS_APPS_BACKEND_FLAGS_H_

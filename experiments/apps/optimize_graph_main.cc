@@ -1,0 +1,140 @@
+// Optimizes a pose graph with any back end and prints the summary as JSON.
+#include <gflags/gflags.h>
+
+#include <ctime>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "backend/g2o_io.h"
+#include "backend/plugin_loader.h"
+#include "experiments/apps/app.h"
+#include "experiments/apps/backend_flags.h"
+#include "experiments/apps/graph_picture.h"
+#include "experiments/apps/input_file.h"
+#include "experiments/apps/output_files.h"
+
+DEFINE_string(input, "", "File of the pose graph, .g2o or TORO's .graph, possibly gzipped.");
+DEFINE_string(output, "", "File that gets the optimized graph as .g2o; none when empty.");
+DEFINE_string(png, "", "File that gets a picture of the graph before and after; none when empty.");
+DEFINE_bool(verbose, false, "Print a table of the iterations to stderr.");
+DEFINE_bool(list_backends, false, "List the back ends that --backend finds, and exit.");
+
+namespace gmapping_spa::apps {
+namespace {
+
+namespace fs = std::filesystem;
+using backend::PoseGraph;
+using backend::Summary;
+using Json = nlohmann::ordered_json;
+
+void ListBackends() {
+  for (const backend::BackendDescription& found :
+       backend::ListBackends(backend::PluginSearchPath())) {
+    std::cout << found.name << (found.loadable ? "" : " (unusable)") << "\n    " << found.path
+              << "\n    " << found.description << '\n';
+  }
+}
+
+void PrintTable(const Summary& summary) {
+  std::cerr << "iteration            cost       step    damping  solver_ms   total_ms\n";
+  int number = 0;
+  for (const backend::IterationRecord& record : summary.iterations) {
+    std::cerr << std::setw(9) << ++number << std::setprecision(10) << std::setw(16) << record.cost
+              << std::setprecision(3) << std::setw(11) << record.step_norm << std::setw(11)
+              << record.damping << std::setw(11) << 1e3 * record.linear_solver_s << std::setw(11)
+              << 1e3 * record.total_s << '\n';
+  }
+}
+
+Json ToJson(const PoseGraph& graph, const Summary& summary, double cpu_s) {
+  Json iterations = Json::array();
+  for (const backend::IterationRecord& record : summary.iterations) {
+    iterations.push_back({{"cost", record.cost},
+                          {"step_norm", record.step_norm},
+                          {"damping", record.damping},
+                          {"linear_solver_s", record.linear_solver_s},
+                          {"total_s", record.total_s}});
+  }
+  const backend::Options options = OptionsFromFlags();
+  return {{"input", FLAGS_input},
+          {"nodes", graph.nodes.size()},
+          {"edges", graph.edges.size()},
+          {"backend", BackendFromFlags()},
+          {"init", backend::InitializationName(options.initialization)},
+          {"loss", backend::LossKindName(options.loss.kind)},
+          {"loss_scale", options.loss.scale},
+          {"settings", options.settings},
+          {"termination", backend::TerminationName(summary.termination)},
+          {"message", summary.message},
+          {"initial_cost", summary.initial_cost},
+          {"final_cost", summary.final_cost},
+          {"cpu_s", cpu_s},
+          {"iterations", iterations},
+          {"convention",
+           "cost: 1/2 sum rho(e' Omega e), e = (R_i' (t_j - t_i) - t_ij, wrap(theta_j - theta_i - "
+           "theta_ij)), recomputed apart from the back end; the loss rho is for loop closures, "
+           "edges between ids that are not consecutive"}};
+}
+
+// A file that appears whole or not at all.
+class OutputFile {
+ public:
+  explicit OutputFile(const std::string& path)
+      : name_(fs::path(path).filename().string()),
+        files_(fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : ".") {
+    if (name_.empty()) throw std::runtime_error(path + ": expected the name of a file");
+  }
+  OutputFiles& files() { return files_; }
+  const std::string& name() const { return name_; }
+
+ private:
+  std::string name_;
+  OutputFiles files_;
+};
+
+void Run() {
+  if (FLAGS_list_backends) {
+    ListBackends();
+    return;
+  }
+  if (FLAGS_input.empty()) throw std::runtime_error("--input=FILE is missing");
+  OptionsFromFlags();  // mistakes in flags come before work
+  std::optional<OutputFile> output, png;
+  if (!FLAGS_output.empty()) output.emplace(FLAGS_output);
+  if (!FLAGS_png.empty()) png.emplace(FLAGS_png);
+  const std::unique_ptr<backend::Optimizer> optimizer = LoadOptimizerFromFlags();
+  PoseGraph graph = backend::ReadG2o(*OpenInput(FLAGS_input), FLAGS_input);
+  const PoseGraph before = graph;
+
+  const std::clock_t start = std::clock();
+  const Summary summary = OptimizeAsFlagsSay(optimizer.get(), &graph);
+  const double cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  if (summary.termination == backend::Termination::kFailure) {
+    throw std::runtime_error("the back end " + BackendFromFlags() + " failed: " + summary.message);
+  }
+  if (FLAGS_verbose) PrintTable(summary);
+  if (output) {
+    output->files().Write(output->name(),
+                          [&](std::ostream& out) { backend::WriteG2o(graph, out); });
+  }
+  if (png) WriteGraphPicture(before, graph, png->files().TemporaryPath(png->name()));
+  if (output) output->files().Commit();
+  if (png) png->files().Commit();
+  std::cout << ToJson(graph, summary, cpu_s).dump(2) << '\n';
+}
+
+}  // namespace
+}  // namespace gmapping_spa::apps
+
+int main(int argc, char** argv) {
+  return gmapping_spa::apps::RunApp(
+      argc, argv,
+      "optimizes a pose graph and prints a summary as JSON.\n"
+      "Usage: optimize_graph --input=FILE [--backend=NAME|PATH] [--output=FILE]\n"
+      "       optimize_graph --list_backends",
+      gmapping_spa::apps::Run);
+}
