@@ -108,7 +108,8 @@ void Run() {
   if (!FLAGS_png.empty()) png.emplace(FLAGS_png);
   const std::unique_ptr<backend::Optimizer> optimizer = LoadOptimizerFromFlags();
   PoseGraph graph = backend::ReadG2o(*OpenInput(FLAGS_input), FLAGS_input);
-  const PoseGraph before = graph;
+  std::optional<PoseGraph> before;
+  if (png) before = graph;
 
   const std::clock_t start = std::clock();
   const Summary summary = OptimizeAsFlagsSay(optimizer.get(), &graph);
@@ -121,7 +122,7 @@ void Run() {
     output->files().Write(output->name(),
                           [&](std::ostream& out) { backend::WriteG2o(graph, out); });
   }
-  if (png) WriteGraphPicture(before, graph, png->files().TemporaryPath(png->name()));
+  if (png) WriteGraphPicture(*before, graph, png->files().TemporaryPath(png->name()));
   if (output) output->files().Commit();
   if (png) png->files().Commit();
   std::cout << ToJson(graph, summary, cpu_s).dump(2) << '\n';

@@ -183,6 +183,9 @@ template <int kSize>
 bool BlockCholesky::Solve(const BlockStructure& structure, const SymbolicFactor& symbolic,
                           const BlockMatrix& matrix, std::vector<BlockVector<kSize>>* x) {
   const std::size_t columns = structure.columns(), blocks = symbolic.column_begin.back();
+  inverse_diagonal_.reserve(columns * kLargestSize * kLargestSize);
+  transposed_.reserve(blocks * kLargestSize * kLargestSize);
+  work_.reserve(columns * kLargestSize * RowOf<kLargestSize>::kLanes);
   inverse_diagonal_.resize(columns * kSize * kSize);
   transposed_.resize(blocks * kSize * kSize);
   row_.resize(blocks);

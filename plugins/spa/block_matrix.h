@@ -9,6 +9,8 @@
 
 namespace gmapping_spa::spa {
 
+inline constexpr int kLargestSize = 3;  // of a block
+
 template <int kSize>
 using Block = Eigen::Matrix<double, kSize, kSize, Eigen::RowMajor | Eigen::DontAlign>;
 
@@ -22,6 +24,9 @@ class BlockMatrix {
   // Makes all blocks of the structure zero matrices of kSize rows.
   template <int kSize>
   void SetZero(const BlockStructure& structure) {
+    // Memory for the largest blocks at once: growing later would need both at a time.
+    diagonal_.reserve(std::size_t{kLargestSize * kLargestSize} * structure.columns());
+    off_diagonal_.reserve(std::size_t{kLargestSize * kLargestSize} * structure.blocks());
     diagonal_.assign(std::size_t{kSize * kSize} * structure.columns(), 0.0);
     off_diagonal_.assign(std::size_t{kSize * kSize} * structure.blocks(), 0.0);
   }
