@@ -1,0 +1,123 @@
+// The command line of optimize_graph.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "backend/g2o_io.h"
+#include "backend/graph_cost.h"
+#include "tests/run_command.h"
+#include "tests/temporary_folder.h"
+
+namespace gmapping_spa::apps {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class OptimizeGraph : public ::testing::Test {
+ protected:
+  // A unit square walked with too much left turn, closed by a loop closure.
+  TemporaryFolder folder_;
+  std::string graph_ = folder_.FileWith("square.g2o",
+                                        "EDGE_SE2 0 1 1 0 1.6 100 0 0 100 0 100\n"
+                                        "EDGE_SE2 1 2 1 0 1.6 100 0 0 100 0 100\n"
+                                        "EDGE_SE2 2 3 1 0 1.6 100 0 0 100 0 100\n"
+                                        "EDGE_SE2 3 0 1 0 1.6 100 0 0 100 0 100\n");
+
+  static CommandResult Run(std::vector<std::string> flags) {
+    flags.insert(flags.begin(), OPTIMIZE_GRAPH);
+    return RunCommand(flags);
+  }
+
+  // Status 1, nothing on stdout, one line on stderr; returns that line.
+  static std::string ErrorOf(const std::vector<std::string>& flags) {
+    const CommandResult result = Run(flags);
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    return result.err;
+  }
+};
+
+TEST_F(OptimizeGraph, PrintsTheSummaryAndWritesTheGraph) {
+  for (const char* backend : {"spa", "ceres"}) {
+    const std::string output = folder_.Path("out.g2o");
+    const CommandResult result =
+        Run({"--input=" + graph_, "--output=" + output, std::string("--backend=") + backend});
+    ASSERT_EQ(result.status, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["termination"], "converged");
+    EXPECT_EQ(json["nodes"], 4);
+    EXPECT_LT(json["final_cost"], json["initial_cost"]);
+    std::ifstream file(output);
+    EXPECT_EQ(backend::GraphCost(backend::ReadG2o(file, output)), json["final_cost"]);
+  }
+}
+
+TEST_F(OptimizeGraph, WritesThePosesItGotWithoutABackEnd) {
+  const std::string output = folder_.Path("out.g2o"), again = folder_.Path("again.g2o");
+  ASSERT_EQ(Run({"--input=" + graph_, "--output=" + output, "--backend=none"}).status, 0);
+  ASSERT_EQ(Run({"--input=" + output, "--output=" + again, "--backend=none"}).status, 0);
+  const auto text = [](const std::string& path) {
+    std::ifstream file(path);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  EXPECT_THAT(text(output), HasSubstr("VERTEX_SE2 0 0 0 0\n"));
+  EXPECT_EQ(text(output), text(again));
+}
+
+TEST_F(OptimizeGraph, DrawsAPicture) {
+  const std::string png = folder_.Path("graph.png");
+  ASSERT_EQ(Run({"--input=" + graph_, "--png=" + png}).status, 0);
+  std::ifstream file(png, std::ios::binary);
+  EXPECT_THAT(std::string(std::istreambuf_iterator<char>(file), {}), StartsWith("\x89PNG"));
+}
+
+TEST_F(OptimizeGraph, PrintsOneLineAnIterationWhenVerbose) {
+  const CommandResult result = Run({"--input=" + graph_, "--verbose"});
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'),
+            1 + static_cast<int>(json["iterations"].size()));
+}
+
+TEST_F(OptimizeGraph, PassesTheSettingsOfTheBackEnd) {
+  const CommandResult result = Run({"--input=" + graph_, "--spa_solver=cholmod", "--loss=truncated",
+                                    "--ceres_threads=3", "--backend_settings=damping=0.5"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["settings"], (nlohmann::json{{"solver", "cholmod"}, {"damping", "0.5"}}));
+  EXPECT_EQ(json["loss"], "truncated");
+}
+
+TEST_F(OptimizeGraph, ListsBackEnds) {
+  const CommandResult result = Run({"--list_backends"});
+  EXPECT_EQ(result.status, 0);
+  for (const char* name : {"ceres\n", "none\n", "spa\n"}) EXPECT_THAT(result.out, HasSubstr(name));
+}
+
+TEST_F(OptimizeGraph, SaysInOneLineWhatIsWrong) {
+  const std::string broken = folder_.FileWith("broken.g2o", "VERTEX_SE2 0 0 0\n");
+  EXPECT_THAT(ErrorOf({}), HasSubstr("--input=FILE is missing"));
+  EXPECT_THAT(ErrorOf({"--input=" + broken}), HasSubstr("broken.g2o:1: expected a vertex"));
+  EXPECT_THAT(ErrorOf({"--input=" + graph_, "--backend=nope"}), HasSubstr("no back end 'nope'"));
+  EXPECT_THAT(ErrorOf({"--input=" + graph_, "--loss=hubert"}), HasSubstr("expected a loss out of"));
+  EXPECT_THAT(ErrorOf({"--input=" + graph_, "--init=north"}),
+              HasSubstr("expected an initialization out of"));
+  EXPECT_THAT(ErrorOf({"--input=" + graph_, "--spa_solver=fast"}),
+              HasSubstr("setting solver: expected one of block, cholmod, got 'fast'"));
+}
+
+TEST_F(OptimizeGraph, LeavesNoOutputBehindAFailure) {
+  const std::string output = folder_.Path("new/out.g2o");
+  ErrorOf({"--input=" + graph_, "--output=" + output, "--spa_max_rises=-1"});
+  EXPECT_FALSE(std::filesystem::exists(folder_.Path("new")));
+}
+
+}  // namespace
+}  // namespace gmapping_spa::apps
