@@ -6,11 +6,11 @@ packages=(
   # building
   cmake g++ make ninja-build pkg-config
   # libraries
-  libboost-dev libboost-iostreams-dev libcairo2-dev libeigen3-dev libgflags-dev
+  libboost-dev libboost-iostreams-dev libcairo2-dev libceres-dev libeigen3-dev libgflags-dev
   libgoogle-glog-dev libpng-dev librandom123-dev libssl-dev libstb-dev libyaml-cpp-dev
-  nlohmann-json3-dev
+  libsuitesparse-dev nlohmann-json3-dev
   # tests and scripts
-  googletest libgmock-dev libgtest-dev python3
+  googletest libbenchmark-dev libgmock-dev libgtest-dev python3
 )
 
 missing=()
