@@ -10,15 +10,17 @@ template <int kSize>
 struct RowOf;
 template <>
 struct RowOf<2> {
-  using Type = double __attribute__((vector_size(16)));
+  using Type = double __attribute__((vector_size(16), aligned(8)));
   static constexpr int kLanes = 2;
 };
 template <>
-struct RowOf<3> {
+struct RowOf<4> {
   // Not aligned beyond double, since it lives in a std::vector<double>.
   using Type = double __attribute__((vector_size(32), aligned(8)));
   static constexpr int kLanes = 4;
 };
+template <>
+struct RowOf<3> : RowOf<4> {};
 
 // Inverts the factor of a diagonal block (its upper triangle is read). False when the block is not
 // positive definite.
@@ -209,5 +211,7 @@ template bool BlockCholesky::Solve<2>(const BlockStructure&, const SymbolicFacto
                                       const BlockMatrix&, std::vector<BlockVector<2>>*);
 template bool BlockCholesky::Solve<3>(const BlockStructure&, const SymbolicFactor&,
                                       const BlockMatrix&, std::vector<BlockVector<3>>*);
+template bool BlockCholesky::Solve<4>(const BlockStructure&, const SymbolicFactor&,
+                                      const BlockMatrix&, std::vector<BlockVector<4>>*);
 
 }  // namespace gmapping_spa::spa

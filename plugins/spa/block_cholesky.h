@@ -13,7 +13,7 @@ namespace gmapping_spa::spa {
 // walked once for kSize^2 numbers and the inner loop is a product of blocks whose size the compiler
 // knows: that is where the speed comes from on pose graphs, whose supernodes are small.
 //
-// Solve is instantiated for kSize 2 and 3. One object serves both in turn and keeps its memory: on
+// Solve is instantiated for kSize 2 to 4. One object serves all in turn and keeps its memory: on
 // graphs of this size, getting memory from the system takes as long as a factorization.
 class BlockCholesky {
  public:

@@ -9,7 +9,7 @@
 
 namespace gmapping_spa::spa {
 
-inline constexpr int kLargestSize = 3;  // of a block
+inline constexpr int kLargestSize = 4;  // of a block
 
 template <int kSize>
 using Block = Eigen::Matrix<double, kSize, kSize, Eigen::RowMajor | Eigen::DontAlign>;

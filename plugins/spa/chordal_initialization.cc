@@ -62,11 +62,57 @@ bool SolvePoses(const PoseGraphView& graph, const GraphStructure& structure, Sol
   return true;
 }
 
+// Minimises sum w_r |r_j - R(theta_ij) r_i|^2 + w_t |t_j - t_i - [r_i] t_ij|^2 over the vectors r
+// and the translations t of the free nodes, where [r] is the matrix with the columns r and r turned
+// by 90 degrees: linear in both.
+bool SolveRotationsAndTranslations(const PoseGraphView& graph,
+                                   const GraphStructure& graph_structure, SolverMemory* memory,
+                                   std::vector<SE2>* poses) {
+  const BlockStructure& structure = graph_structure.blocks();
+  BlockMatrix& matrix = memory->equations.hessian;
+  matrix.SetZero<4>(structure);
+  std::vector<BlockVector<4>> x(structure.columns(), BlockVector<4>::Zero());
+  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+    const Edge& edge = graph.edges[e];
+    const auto [i, j] = graph_structure.index().edges[e];
+    const int a = structure.column_of_node[i], b = structure.column_of_node[j];
+    if (a == b) continue;
+    const double c = std::cos(edge.i_T_j.theta), s = std::sin(edge.i_T_j.theta);
+    // The error is x_j - m x_i, with x = (r, t).
+    Eigen::Matrix4d m;
+    m << c, -s, 0, 0, s, c, 0, 0, edge.i_T_j.x, -edge.i_T_j.y, 1, 0, edge.i_T_j.y, edge.i_T_j.x, 0,
+        1;
+    const double w_t = (edge.information(0, 0) + edge.information(1, 1)) / 2.0;
+    const Eigen::Vector4d w(edge.information(2, 2), edge.information(2, 2), w_t, w_t);
+    const Eigen::Matrix4d weighted = m.transpose() * w.asDiagonal();
+    const auto known = [&](int node) {
+      const SE2& pose = (*poses)[node];
+      return Eigen::Vector4d(std::cos(pose.theta), std::sin(pose.theta), pose.x, pose.y);
+    };
+    if (a >= 0) matrix.diagonal<4>(a) += weighted * m;
+    if (b >= 0) matrix.diagonal<4>(b).diagonal() += w;
+    matrix.AddOffDiagonal<4>(structure.slot_of_edge[e], -weighted);
+    if (a < 0) x[b] += w.cwiseProduct(m * known(i));
+    if (b < 0) x[a] += weighted * known(j);
+  }
+  if (!memory->cholesky.Solve(structure, graph_structure.symbolic(), matrix, &x)) return false;
+  for (int k = 0; k < structure.columns(); ++k) {
+    (*poses)[structure.node_of_column[k]] = {x[k][2], x[k][3], std::atan2(x[k][1], x[k][0])};
+  }
+  return true;
+}
+
 }  // namespace
 
 bool InitializeChordal(const PoseGraphView& graph, const GraphStructure& structure,
                        SolverMemory* memory, std::vector<SE2>* poses) {
   return SolveRotations(graph, structure, memory, poses) &&
+         SolvePoses(graph, structure, memory, poses);
+}
+
+bool InitializeChordalJointly(const PoseGraphView& graph, const GraphStructure& structure,
+                              SolverMemory* memory, std::vector<SE2>* poses) {
+  return SolveRotationsAndTranslations(graph, structure, memory, poses) &&
          SolvePoses(graph, structure, memory, poses);
 }
 

@@ -26,6 +26,12 @@ struct SolverMemory {
 bool InitializeChordal(const backend::PoseGraphView& graph, const GraphStructure& structure,
                        SolverMemory* memory, std::vector<backend::SE2>* poses);
 
+// The chordal relaxation of rotations and translations in one linear problem: where angles are
+// noisier than translations, the shape of the path tells more of the rotations than their own
+// measurements. Coarser than InitializeChordal elsewhere. Else like it.
+bool InitializeChordalJointly(const backend::PoseGraphView& graph, const GraphStructure& structure,
+                              SolverMemory* memory, std::vector<backend::SE2>* poses);
+
 }  // namespace gmapping_spa::spa
 
 #endif  // GMAPPING_SPA_PLUGINS_SPA_CHORDAL_INITIALIZATION_H_

@@ -30,6 +30,9 @@ constexpr double kDampingFactor = 10.0;
 // From where on, as a fraction of the cost, a Gauss-Newton step may be the last one.
 constexpr double kLastStepDecrease = 1e-2;
 
+// Steps that may miss the lowest cost on the way from a coarse start.
+constexpr int kPatientRises = 20;
+
 // How many times the last result's cost given poses may have and still pass for its continuation.
 constexpr double kContinuationCostRatio = 2.0;
 
@@ -138,8 +141,9 @@ bool SpaOptimizer::SolveStep(double lambda, bool cholmod, std::vector<BlockVecto
   return memory_.cholesky.Solve(structure_.blocks(), structure_.symbolic(), *hessian, step);
 }
 
-void SpaOptimizer::Minimize(const Options& options, const Settings& settings,
-                            const PoseGraphView& graph, std::vector<SE2>* poses, Summary* summary) {
+bool SpaOptimizer::Minimize(const Options& options, const Settings& settings,
+                            const PoseGraphView& graph, bool give_up_early, std::vector<SE2>* poses,
+                            Summary* summary) {
   double damping = damping_.value_or(settings.damping);
   int rises = 0;
   std::vector<SE2> current = *poses;
@@ -188,6 +192,11 @@ void SpaOptimizer::Minimize(const Options& options, const Settings& settings,
       // Gauss-Newton often leaves a poor start over a hill; let it.
       ++rises;
     } else {
+      if (give_up_early && damping == 0.0) {
+        record.total_s = SecondsSince(iteration_start);
+        summary->iterations.push_back(record);
+        return false;
+      }
       damping = Raised(damping);
       rises = 0;
       if (solved) {
@@ -207,6 +216,29 @@ void SpaOptimizer::Minimize(const Options& options, const Settings& settings,
   }
   // Steps that only raised the cost are lost with the call, but not their lesson.
   damping_ = damping > kLastDamping ? settings.damping : (rises > 0 ? Raised(damping) : damping);
+  return true;
+}
+
+void SpaOptimizer::TryAnotherStart(const Options& options, const Settings& settings,
+                                   const PoseGraphView& graph, std::vector<SE2>* poses,
+                                   Summary* summary) {
+  std::vector<SE2> other = PosesOf(graph);
+  if (InitializeChordalJointly(graph, structure_, &memory_, &other)) {
+    LinearizeAt(options, graph, other);
+    Settings patient = settings;
+    patient.max_rises = std::max(settings.max_rises, kPatientRises);
+    Summary second = *summary;
+    const bool finished =
+        Minimize(options, patient, graph, /*give_up_early=*/true, &other, &second);
+    summary->iterations = second.iterations;
+    if (second.final_cost < summary->final_cost) {
+      *poses = std::move(other);
+      *summary = std::move(second);
+      if (finished) return;
+    }
+  }
+  LinearizeAt(options, graph, *poses);
+  Minimize(options, settings, graph, /*give_up_early=*/false, poses, summary);
 }
 
 Summary SpaOptimizer::OptimizeOrThrow(const Options& options, std::span<const backend::Edge> edges,
@@ -223,8 +255,13 @@ Summary SpaOptimizer::OptimizeOrThrow(const Options& options, std::span<const ba
     summary.message = "the cost of the given poses is not finite";
     return summary;
   }
+  // Neither told where to start nor continuing.
+  const bool fresh = options.initialization == Initialization::kAuto &&
+                     !(summary.initial_cost <= kContinuationCostRatio * last_cost_);
   std::vector<SE2> poses = ChooseStart(options, graph, summary.initial_cost);
-  Minimize(options, settings, graph, &poses, &summary);
+  if (!Minimize(options, settings, graph, /*give_up_early=*/fresh, &poses, &summary)) {
+    TryAnotherStart(options, settings, graph, &poses, &summary);
+  }
   if (summary.final_cost < summary.initial_cost) {
     for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k].world_T_node = poses[k];
   } else {

@@ -25,7 +25,7 @@ namespace gmapping_spa::spa {
 //
 // Initialization kAuto keeps given poses that cost about what the result of the call before did, as
 // in the online case; else it starts from the cheaper one of the given poses and the chordal
-// relaxation.
+// relaxation, and where Gauss-Newton fails there, from the joint chordal relaxation too.
 class SpaOptimizer : public backend::Optimizer {
  public:
   backend::Summary Optimize(const backend::Options& options, std::span<const backend::Edge> edges,
@@ -52,10 +52,16 @@ class SpaOptimizer : public backend::Optimizer {
                                         const backend::PoseGraphView& graph, double given_cost);
 
   // Lowers the cost from `*poses`, where the normal equations are, on; they end as the best ones
-  // met. Fills in all of `summary` but the initial cost.
-  void Minimize(const backend::Options& options, const Settings& settings,
-                const backend::PoseGraphView& graph, std::vector<backend::SE2>* poses,
-                backend::Summary* summary);
+  // met. Fills in all of `summary` but the initial cost; the iterations are added to those there.
+  // With `give_up_early`, returns false where damping would have to start.
+  bool Minimize(const backend::Options& options, const Settings& settings,
+                const backend::PoseGraphView& graph, bool give_up_early,
+                std::vector<backend::SE2>* poses, backend::Summary* summary);
+
+  // After Minimize gave up: tries another start, then goes on from the better one's end.
+  void TryAnotherStart(const backend::Options& options, const Settings& settings,
+                       const backend::PoseGraphView& graph, std::vector<backend::SE2>* poses,
+                       backend::Summary* summary);
 
   // Solves eq. (5), (H + lambda diag(H)) dx = -g. False when the matrix is not positive definite.
   bool SolveStep(double lambda, bool cholmod, std::vector<BlockVector<3>>* step);

@@ -188,13 +188,20 @@ class RealGraph : public ::testing::TestWithParam<KnownGraph> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(
-    , RealGraph,
-    ::testing::Values(KnownGraph{"intel", 22.208903989}, KnownGraph{"MIT", 19.800647242},
-                      KnownGraph{"CSAIL", 30.571486530}, KnownGraph{"manhattan", 1766.729262596},
-                      KnownGraph{"kitti_00", 49.131340934}, KnownGraph{"city10000", 255.992581817},
-                      KnownGraph{"M3500a", 456.057506086}, KnownGraph{"M3500b", 1027.357959028}),
-    [](const auto& test) { return std::string(test.param.name); });
+constexpr KnownGraph kGraphs[] = {{"intel", 22.208903989},    {"MIT", 19.800647242},
+                                  {"CSAIL", 30.571486530},    {"manhattan", 1766.729262596},
+                                  {"kitti_00", 49.131340934}, {"city10000", 255.992581817},
+                                  {"M3500a", 456.057506086},  {"M3500b", 1027.357959028}};
+// Its chordal relaxation lies in a worse basin; SPA looks further.
+constexpr KnownGraph kHardGraphs[] = {{"M3500c", 1277.366195}};
+
+std::string NameOf(const ::testing::TestParamInfo<KnownGraph>& test) { return test.param.name; }
+
+class RealGraphByCeres : public RealGraph {};
+
+INSTANTIATE_TEST_SUITE_P(, RealGraph, ::testing::ValuesIn(kGraphs), NameOf);
+INSTANTIATE_TEST_SUITE_P(Hard, RealGraph, ::testing::ValuesIn(kHardGraphs), NameOf);
+INSTANTIATE_TEST_SUITE_P(, RealGraphByCeres, ::testing::ValuesIn(kGraphs), NameOf);
 
 TEST_P(RealGraph, SpaFindsTheBestKnownMinimumByItself) {
   std::optional<PoseGraph> graph = FromOdometry();
@@ -215,7 +222,7 @@ TEST_P(RealGraph, SpaOverCholmodEndsAtTheSameCost) {
   EXPECT_NEAR(GraphCost(*graph), GetParam().best_cost, 1e-6 * GetParam().best_cost);
 }
 
-TEST_P(RealGraph, CeresFindsItFromTheChordalStart) {
+TEST_P(RealGraphByCeres, IsSolvedFromTheChordalStart) {
   std::optional<PoseGraph> graph = FromOdometry();
   if (!graph) GTEST_SKIP() << "real data not found";
   Options options;

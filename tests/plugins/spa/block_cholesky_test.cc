@@ -33,6 +33,7 @@ TEST(BlockCholesky, SolvesLikeDenseCholesky) {
   for (unsigned seed = 0; seed < 20; ++seed) {
     ExpectSolvesLikeDenseCholesky<2>(seed);
     ExpectSolvesLikeDenseCholesky<3>(seed);
+    ExpectSolvesLikeDenseCholesky<4>(seed);
   }
 }
 

@@ -30,6 +30,20 @@ TEST(InitializeChordal, FindsThePosesThatPerfectMeasurementsAgreeOn) {
   }
 }
 
+TEST(InitializeChordalJointly, FindsThePosesThatPerfectMeasurementsAgreeOn) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    PoseGraph graph = backend::RandomGraph(seed, {.measurement_noise = 0.0, .pose_noise = 3.0});
+    graph.nodes[0].world_T_node = {5, -3, 2};
+    GraphStructure structure;
+    structure.Update(IndexGraph(graph));
+    SolverMemory memory;
+    std::vector<SE2> poses = PosesOf(graph);
+    ASSERT_TRUE(InitializeChordalJointly(graph, structure, &memory, &poses));
+    EXPECT_EQ(poses[0], (SE2{5, -3, 2}));
+    EXPECT_LT(GraphCost(graph, IndexGraph(graph), poses), 1e-16);
+  }
+}
+
 TEST(InitializeChordal, StartsNearTheMinimumWhereverTheGivenPosesAre) {
   for (unsigned seed = 0; seed < 10; ++seed) {
     PoseGraph graph = backend::RandomGraph(seed, {.pose_noise = 0.0});
