@@ -25,30 +25,30 @@ class BlockMatrix {
   template <int kSize>
   void SetZero(const BlockStructure& structure) {
     // Memory for the largest blocks at once: growing later would need both at a time.
-    diagonal_.reserve(std::size_t{kLargestSize * kLargestSize} * structure.columns());
-    off_diagonal_.reserve(std::size_t{kLargestSize * kLargestSize} * structure.blocks());
-    diagonal_.assign(std::size_t{kSize * kSize} * structure.columns(), 0.0);
-    off_diagonal_.assign(std::size_t{kSize * kSize} * structure.blocks(), 0.0);
+    diagonal_.reserve(std::size_t{kLargestSize} * kLargestSize * structure.columns());
+    off_diagonal_.reserve(std::size_t{kLargestSize} * kLargestSize * structure.blocks());
+    diagonal_.assign(std::size_t{kSize} * kSize * structure.columns(), 0.0);
+    off_diagonal_.assign(std::size_t{kSize} * kSize * structure.blocks(), 0.0);
   }
 
   // The block of a column on the diagonal, and that of an entry of BlockStructure::row above it.
   // kSize is that of the last SetZero.
   template <int kSize>
   Eigen::Map<Block<kSize>> diagonal(int column) {
-    return Eigen::Map<Block<kSize>>(diagonal_.data() + std::size_t{kSize * kSize} * column);
+    return Eigen::Map<Block<kSize>>(diagonal_.data() + std::size_t{kSize} * kSize * column);
   }
   template <int kSize>
   Eigen::Map<Block<kSize>> off_diagonal(int block) {
-    return Eigen::Map<Block<kSize>>(off_diagonal_.data() + std::size_t{kSize * kSize} * block);
+    return Eigen::Map<Block<kSize>>(off_diagonal_.data() + std::size_t{kSize} * kSize * block);
   }
   template <int kSize>
   Eigen::Map<const Block<kSize>> diagonal(int column) const {
-    return Eigen::Map<const Block<kSize>>(diagonal_.data() + std::size_t{kSize * kSize} * column);
+    return Eigen::Map<const Block<kSize>>(diagonal_.data() + std::size_t{kSize} * kSize * column);
   }
   template <int kSize>
   Eigen::Map<const Block<kSize>> off_diagonal(int block) const {
     return Eigen::Map<const Block<kSize>>(off_diagonal_.data() +
-                                          std::size_t{kSize * kSize} * block);
+                                          std::size_t{kSize} * kSize * block);
   }
 
   // Adds the second derivative of an edge's cost by i and j, in that order.
