@@ -183,6 +183,7 @@ std::vector<BackendDescription> ListBackends(const std::vector<std::string>& fol
     }
   }
   std::vector<BackendDescription> backends;
+  backends.reserve(found.size());
   for (auto& [name, backend] : found) backends.push_back(std::move(backend));
   return backends;
 }

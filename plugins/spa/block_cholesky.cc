@@ -81,7 +81,7 @@ template <int kSize>
 [[gnu::always_inline]] inline bool FactorizeRows(const BlockStructure& structure,
                                                  const SymbolicFactor& symbolic, Arrays arrays) {
   using Row = typename RowOf<kSize>::Type;
-  constexpr std::size_t kNumbers = kSize * kSize;
+  constexpr std::size_t kNumbers = std::size_t{kSize} * kSize;
   constexpr int kLanes = RowOf<kSize>::kLanes;
   Row* const work = reinterpret_cast<Row*>(arrays.work);
   const int columns = structure.columns();
@@ -108,8 +108,9 @@ template <int kSize>
       Row* const y = work + std::size_t{kSize} * i;
       Row x[kSize];
       for (int a = kSize - 1; a >= 0; --a) {
-        x[a] = inverse[a * kSize] * y[0];
-        for (int c = 1; c <= a; ++c) x[a] += inverse[a * kSize + c] * y[c];
+        const double* const row = inverse + std::ptrdiff_t{kSize} * a;
+        x[a] = row[0] * y[0];
+        for (int c = 1; c <= a; ++c) x[a] += row[c] * y[c];
       }
       for (int a = 0; a < kSize; ++a) y[a] = Row{};
       const int end = arrays.end[i];
@@ -142,7 +143,7 @@ template <int kSize>
 // Back substitution: x becomes L'^-1 x.
 template <int kSize>
 [[gnu::always_inline]] inline void SubstituteBack(const SymbolicFactor& symbolic, Arrays arrays) {
-  constexpr std::size_t kNumbers = kSize * kSize;
+  constexpr std::size_t kNumbers = std::size_t{kSize} * kSize;
   for (int k = symbolic.columns() - 1; k >= 0; --k) {
     double* const x = arrays.x + std::size_t{kSize} * k;
     double y[kSize];
