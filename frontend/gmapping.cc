@@ -8,13 +8,12 @@
 #include <string>
 #include <utility>
 
+#include "frontend/map/map_server_io.h"
+
 namespace gmapping_spa::frontend {
 namespace {
 
 using backend::SE2;
-
-// Half the width of the largest map, less room for the longest beams and the odometry's error.
-constexpr double kUsablePartOfGrid = 0.5;
 
 // Inverse of the covariance of a pose, rotated from the world frame to the frame of the node that
 // the edge starts at.
@@ -56,16 +55,7 @@ void Gmapping::Update(const sensor::LaserScan& scan) {
     filter_.Start(scan, SE2{});
   } else {
     const SE2 u = Between(odom_T_last_update_, scan.odom_T_robot);
-    const double limit_m =
-        kUsablePartOfGrid * map::kMaxCellIndex * options_.filter.grid.resolution_m;
-    for (const particle_filter::Particle& particle : filter_.particles()) {
-      const SE2 predicted = particle.world_T_robot * u;
-      if (!(std::hypot(predicted.x, predicted.y) < limit_m)) {
-        throw std::runtime_error("scan " + std::to_string(scan.index) +
-                                 ": the odometry jumps out of the area that a map can cover (" +
-                                 std::to_string(static_cast<int>(limit_m)) + " m)");
-      }
-    }
+    CheckArea(scan, u);
     const particle_filter::ParticleFilter::Update update = filter_.Advance(scan, u);
     counts_.resamplings += update.resampled ? 1 : 0;
     counts_.failed_matches += update.failed_matches;
@@ -75,6 +65,25 @@ void Gmapping::Update(const sensor::LaserScan& scan) {
   odom_T_last_update_ = scan.odom_T_robot;
   linear_since_update_m_ = 0.0;
   angular_since_update_rad_ = 0.0;
+}
+
+// A jump of the odometry must not ask for a map that no memory holds.
+void Gmapping::CheckArea(const sensor::LaserScan& scan, const SE2& u) {
+  double reach_m = 0.0;
+  for (const sensor::Beam& beam : scan.beams) reach_m = std::max(reach_m, beam.range_m);
+  for (const particle_filter::Particle& particle : filter_.particles()) {
+    const Eigen::Vector2d predicted = (particle.world_T_robot * u).translation();
+    area_.extend(predicted - Eigen::Vector2d::Constant(reach_m));
+    area_.extend(predicted + Eigen::Vector2d::Constant(reach_m));
+  }
+  const double cells_per_m = 1.0 / options_.filter.grid.resolution_m;
+  const Eigen::Vector2d cells = area_.sizes() * cells_per_m;
+  // Half the indices: the world's origin is somewhere inside. Negated, so that NaN fails.
+  if (!(cells.prod() < map::kMaxMapCells && cells.maxCoeff() < map::kMaxCellIndex / 2)) {
+    throw std::runtime_error("scan " + std::to_string(scan.index) +
+                             ": the odometry leads out of the area that a map can cover (" +
+                             std::to_string(map::kMaxMapCells) + " cells)");
+  }
 }
 
 // The best particle's latest pose as a node, and how it got there as an edge.

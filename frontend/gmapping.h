@@ -2,6 +2,7 @@
 #ifndef GMAPPING_SPA_FRONTEND_GMAPPING_H_
 #define GMAPPING_SPA_FRONTEND_GMAPPING_H_
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
 
@@ -50,6 +51,7 @@ class Gmapping {
   const particle_filter::ParticleFilter& filter() const { return filter_; }
 
  private:
+  void CheckArea(const sensor::LaserScan& scan, const backend::SE2& u);
   void Update(const sensor::LaserScan& scan);
   void EmitStep(const sensor::LaserScan& scan);
 
@@ -61,6 +63,8 @@ class Gmapping {
   backend::SE2 odom_T_last_update_;
   double linear_since_update_m_ = 0.0;
   double angular_since_update_rad_ = 0.0;
+  // That the particles have been in, with the reach of the beams; from the origin, the first pose.
+  Eigen::AlignedBox2d area_{Eigen::Vector2d::Zero()};
   Counts counts_;
 };
 
