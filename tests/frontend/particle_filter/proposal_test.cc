@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "backend/counter_random.h"
 #include "frontend/particle_filter/motion_model.h"
 #include "frontend/scan_matching/hill_climbing.h"
 #include "tests/frontend/room_map.h"
@@ -82,6 +83,24 @@ TEST(ComputeProposal, IsNarrowInARoomWithWallsInTwoDirections) {
     const SE2 error = Between(truth, proposal.gaussian.mean);
     EXPECT_LT(error.translation().norm(), 0.015);
     EXPECT_LT(std::abs(error.theta), 0.005);
+  }
+}
+
+TEST(ComputeProposal, MeanRecoversAPerturbedPoseToACentimetreAndAFifthOfADegree) {
+  constexpr double kDeg = std::numbers::pi / 180.0;
+  const map::OccupancyGrid grid = synthetic::RoomMap();
+  for (int trial = 0; trial < 300; ++trial) {
+    backend::CounterRandom random(11, 0, trial);
+    const auto offset = [&](double limit) { return limit * (2.0 * random.Uniform() - 1.0); };
+    const SE2 truth{offset(1.0), offset(1.0), offset(3.0)};
+    const ScanPoints points = MakeScanPoints(synthetic::Scan(synthetic::Room(), truth));
+    const SE2 predicted = truth * SE2{offset(0.1), offset(0.1), offset(4.0 * kDeg)};
+    EndpointModel model({}, &grid, &points);
+    const PoseGaussian prior{predicted,
+                             MotionModel({}).Covariance(predicted * SE2{-1, 0, 0}, {1, 0, 0})};
+    const SE2 error = Between(truth, MatchAndPropose(grid, points, prior, &model).gaussian.mean);
+    EXPECT_LT(error.translation().norm(), 0.01) << trial;
+    EXPECT_LT(std::abs(error.theta), 0.2 * kDeg) << trial;
   }
 }
 
