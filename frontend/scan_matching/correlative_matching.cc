@@ -1,0 +1,124 @@
+#include "frontend/scan_matching/correlative_matching.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+#include "frontend/scan_matching/pose_lattice.h"
+#include "frontend/scan_matching/score_peak.h"
+
+namespace gmapping_spa::scan_matching {
+
+using backend::SE2;
+
+namespace {
+
+// A scan of near points must not make the lattice coarse: the initial pose may be on its edge.
+constexpr double kMaxAngularStep = 0.05;
+
+// A point farther away than this, which makes for tiny angular steps, is no laser's.
+constexpr double kMaxPointCells = 10000.0;
+
+int StepsToCover(double half_width, double step) {
+  CHECK_GE(half_width, 0.0);
+  const double steps = std::ceil(half_width / step - 1e-9);
+  CHECK_LT(steps, map::kMaxCellIndex);
+  return static_cast<int>(steps);
+}
+
+// The order of best-first search: whether `a` comes after `b`. Where bounds are equal, blocks come
+// before poses, so that the poses of the largest sum are all known before the first is taken; and
+// that is the one nearest to the middle.
+struct ComesAfter {
+  static auto TieBreak(const PoseBlock& block) {
+    const double angle = block.angle, x = block.x, y = block.y;
+    return std::tuple(-block.level, angle * angle + x * x + y * y, angle, y, x);
+  }
+  bool operator()(const PoseBlock& a, const PoseBlock& b) const {
+    if (a.bound != b.bound) return a.bound < b.bound;
+    return TieBreak(a) > TieBreak(b);
+  }
+};
+
+}  // namespace
+
+CorrelativeMatcher::CorrelativeMatcher(const Options& options,
+                                       const std::vector<Eigen::Vector2d>& reference)
+    : options_(options),
+      pyramid_(MakeLikelihoodField(options.field, reference), options.pyramid_levels) {
+  CHECK_GT(options.min_score, 0.0);
+  CHECK_GT(options.second_floor, 0.0);
+  CHECK_LE(options.second_floor, 1.0);
+  CHECK_GE(options.peak_separation_m, 0.0);
+  CHECK_GE(options.peak_separation_rad, 0.0);
+  CHECK_GT(options.independent_points, 0.0);
+}
+
+double CorrelativeMatcher::AngularStep(const std::vector<Eigen::Vector2d>& points) const {
+  double farthest_m = 0.0;
+  for (const Eigen::Vector2d& point : points) {
+    CHECK_LT(point.norm(), kMaxPointCells * options_.field.resolution_m);
+    farthest_m = std::max(farthest_m, point.norm());
+  }
+  return std::min(options_.field.resolution_m / farthest_m, kMaxAngularStep);
+}
+
+CorrelativeMatch CorrelativeMatcher::Match(const std::vector<Eigen::Vector2d>& points,
+                                           const SE2& initial_map_T_scan,
+                                           const SearchWindow& window) const {
+  CHECK_LE(window.angular_rad, std::numbers::pi);
+  CorrelativeMatch match;
+  match.map_T_scan = initial_map_T_scan;
+  if (points.empty()) return match;
+
+  const double resolution_m = options_.field.resolution_m, angular_step = AngularStep(points);
+  const PoseLattice lattice(
+      {initial_map_T_scan, resolution_m, angular_step, StepsToCover(window.linear_m, resolution_m),
+       StepsToCover(window.angular_rad, angular_step)},
+      &pyramid_, points);
+  const double full_sum = 255.0 * static_cast<double>(points.size());
+
+  std::priority_queue<PoseBlock, std::vector<PoseBlock>, ComesAfter> queue;
+  // A sum below this is neither that of a match nor of a second peak that matters.
+  double floor = options_.second_floor * options_.min_score * full_sum;
+  const auto push_parts = [&](const PoseBlock& block) {
+    lattice.ForEachPart(block, [&](const PoseBlock& part) {
+      if (part.bound >= floor) queue.push(part);
+    });
+  };
+  for (const PoseBlock& root : lattice.Roots()) push_parts(root);
+
+  // Blocks come in order of their bounds: the first pose is the best one, the first pose outside
+  // its peak the second.
+  std::optional<ScorePeak> peak;
+  while (!queue.empty()) {
+    const PoseBlock block = queue.top();
+    queue.pop();
+    const double score = block.bound / full_sum;
+    if (score < (match.found ? match.second_score : options_.min_score)) break;
+    if (peak && peak->HoldsAllOf(block)) continue;
+    if (block.level > 0) {
+      push_parts(block);
+    } else if (match.found) {
+      match.second_score = score;
+      break;
+    } else {
+      match.found = true;
+      match.map_T_scan = lattice.Pose(block);
+      match.score = score;
+      match.second_score = options_.second_floor * score;
+      floor = options_.second_floor * block.bound;
+      peak.emplace(&lattice, block, options_.peak_separation_m, options_.peak_separation_rad);
+      match.covariance = peak->Covariance(options_.independent_points / full_sum);
+    }
+  }
+  return match;
+}
+
+}  // namespace gmapping_spa::scan_matching
