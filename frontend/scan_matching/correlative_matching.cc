@@ -115,7 +115,9 @@ CorrelativeMatch CorrelativeMatcher::Match(const std::vector<Eigen::Vector2d>& p
       match.second_score = options_.second_floor * score;
       floor = options_.second_floor * block.bound;
       peak.emplace(&lattice, block, options_.peak_separation_m, options_.peak_separation_rad);
-      match.covariance = peak->Covariance(options_.independent_points / full_sum);
+      if (options_.with_covariance) {
+        match.covariance = peak->Covariance(options_.independent_points / full_sum);
+      }
     }
   }
   return match;

@@ -51,6 +51,7 @@ class CorrelativeMatcher {
     // How many points say as much as all points together: neighbours share the errors of the map,
     // and the covariance must not shrink with the number of beams.
     double independent_points = 20.0;
+    bool with_covariance = true;  // takes about as long as the search; otherwise it stays zero
   };
 
   // `reference` in the frame of the map, in metres. See MakeLikelihoodField for preconditions.

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
-#include <algorithm>
 
 #include "frontend/map/cell_block.h"
 #include "frontend/map/occupancy_grid.h"
@@ -22,22 +21,28 @@ struct LocalSurface {
   // Sums up the full cells of the 3 x 3 neighbourhood of the cell `index`, which holds the point
   // (x, y). False when there are none.
   bool Fit(const map::CellBlock& block, map::CellIndex index, double x, double y) {
-    const Eigen::Vector2f point(static_cast<float>(x - index.x), static_cast<float>(y - index.y));
-    float sum = 0.0f;
-    Eigen::Vector2f first = Eigen::Vector2f::Zero();
-    Eigen::Matrix2f second = Eigen::Matrix2f::Zero();
-    block.ForEachFullNeighbour(index, 0, 0, [&](float mean_x, float mean_y) {
-      const Eigen::Vector2f d = Eigen::Vector2f(mean_x, mean_y) - point;
+    const auto in_cell_x = static_cast<float>(x - index.x);
+    const auto in_cell_y = static_cast<float>(y - index.y);
+    using Eigen::Array4f;
+    Array4f w = Array4f::Zero(), wx = w, wy = w, wxx = w, wxy = w, wyy = w;
+    block.ForEachRowOfNeighbours(index, [&](const Array4f& mean_x, const Array4f& mean_y) {
+      const Array4f dx = mean_x - in_cell_x, dy = mean_y - in_cell_y;
       // Falls to 0 at two cells, where hit means drop out of the neighbourhood.
-      const float root = std::max(0.0f, 1.0f - 0.25f * d.squaredNorm());
-      const float weight = root * root;
-      sum += weight;
-      first += weight * d;
-      second += weight * d * d.transpose();
+      const Array4f root = (1.0f - 0.25f * (dx * dx + dy * dy)).max(0.0f);
+      const Array4f weight = root * root;
+      w += weight;
+      wx += weight * dx;
+      wy += weight * dy;
+      wxx += weight * dx * dx;
+      wxy += weight * dx * dy;
+      wyy += weight * dy * dy;
     });
+    const float sum = w.sum();
     if (sum <= 0.0f) return false;
-    offset = first / sum;
-    covariance = second / sum - offset * offset.transpose();
+    offset = Eigen::Vector2f(wx.sum(), wy.sum()) / sum;
+    const float xy = wxy.sum() / sum - offset.x() * offset.y();
+    covariance << wxx.sum() / sum - offset.x() * offset.x(), xy, xy,
+        wyy.sum() / sum - offset.y() * offset.y();
     return true;
   }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -42,8 +43,7 @@ Points BruteForce(const OccupancyGrid& grid, CellIndex index, int dx, int dy) {
   for (int y = -1; y <= 1; ++y) {
     for (int x = -1; x <= 1; ++x) {
       const CellIndex at{index.x + x, index.y + y};
-      const bool blocked = (dx != 0 || dy != 0) && IsFull(grid, {at.x + dx, at.y + dy});
-      if (!IsFull(grid, at) || blocked) continue;
+      if (!IsFull(grid, at) || IsFull(grid, {at.x + dx, at.y + dy})) continue;
       const Cell& cell = grid.cell(at);
       points.emplace_back(static_cast<float>(x + cell.mean_x / 65536.0),
                           static_cast<float>(y + cell.mean_y / 65536.0));
@@ -65,6 +65,7 @@ TEST(CellBlock, FindsWhatTheGridHoldsInEveryDirection) {
           if (!block.Covers({x, y})) continue;
           for (int direction = 0; direction < 9; ++direction) {
             const int dx = direction % 3 - 1, dy = direction / 3 - 1;
+            if (dx == 0 && dy == 0) continue;
             Points points;
             block.ForEachFullNeighbour({x, y}, dx, dy,
                                        [&](float mx, float my) { points.emplace_back(mx, my); });
@@ -80,6 +81,50 @@ TEST(CellBlock, FindsWhatTheGridHoldsInEveryDirection) {
   }
   EXPECT_GT(found, 1000);
   EXPECT_GT(blocked, 200);
+}
+
+// Of the three rows of a neighbourhood, four lanes each: whether the first three hold the hit mean
+// of their cell where that is full, and all others are too far away for any weight but 0.
+void ExpectRows(const OccupancyGrid& grid, const CellBlock& block, CellIndex index, int* full) {
+  constexpr float kNoWeight = 1e4f;  // in cells
+  int y = -1;
+  block.ForEachRowOfNeighbours(index, [&](const Eigen::Array4f& xs, const Eigen::Array4f& ys) {
+    for (int lane = 0; lane < 4; ++lane) {
+      const int x = lane - 1;
+      const CellIndex at{index.x + x, index.y + y};
+      if (lane < 3 && IsFull(grid, at)) {
+        ASSERT_EQ(xs[lane], static_cast<float>(x + grid.cell(at).mean_x / 65536.0));
+        ASSERT_EQ(ys[lane], static_cast<float>(y + grid.cell(at).mean_y / 65536.0));
+        ++*full;
+      } else {
+        ASSERT_GT(std::hypot(xs[lane], ys[lane]), kNoWeight) << "lane " << lane << " row " << y;
+        ASSERT_TRUE(std::isfinite(xs[lane] * xs[lane] + ys[lane] * ys[lane]));  // 0 times it is 0
+      }
+    }
+    ++y;
+  });
+  ASSERT_EQ(y, 2);
+}
+
+TEST(CellBlock, RowsOfNeighboursHoldTheFullCellsAndNothingElseNearby) {
+  int full = 0, asked = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    const OccupancyGrid grid = RandomGrid(seed, 0.1 + 0.04 * static_cast<double>(seed));
+    CellBlock block;  // used again, so that what it held before must not show
+    for (const CellIndex centre : {CellIndex{0, 0}, {-3, 2}, {5, -6}, {-11, 11}, {2, 12}}) {
+      block.CopyFrom(grid, centre);
+      for (int y = centre.y - 4; y <= centre.y + 4; ++y) {
+        for (int x = centre.x - 4; x <= centre.x + 4; ++x) {
+          if (!block.Covers({x, y})) continue;
+          ++asked;
+          ExpectRows(grid, block, {x, y}, &full);
+          if (HasFatalFailure()) FAIL() << "seed " << seed << " at " << x << " " << y;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(asked, 20 * 5 * 16);
+  EXPECT_GT(full, 1000);
 }
 
 TEST(CellBlock, CoversTheCellsThatHaveTwoMoreToEverySide) {

@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "backend/counter_random.h"
+
 namespace gmapping_spa::scan_matching {
 namespace {
 
@@ -48,6 +54,42 @@ TEST(LocalSurface, OfALonelyHitIsThatPoint) {
   EXPECT_NEAR(surface.offset.x(), -0.5, 1e-4);
   EXPECT_NEAR(surface.offset.y(), -0.25, 1e-4);
   EXPECT_NEAR(surface.covariance.norm(), 0.0, 1e-4);
+}
+
+TEST(LocalSurface, IsTheGaussianOfTheHitMeansThatTheWindowWeighs) {
+  backend::CounterRandom random(3, 0);
+  for (int trial = 0; trial < 200; ++trial) {
+    // One hit a cell, in a third of them, so that its mean is known; beyond the neighbourhood, too.
+    map::OccupancyGrid grid({});
+    std::vector<Eigen::Vector2d> neighbours;
+    const int corner = trial % 2 == 0 ? 0 : 31;  // in the middle of a tile and at the edge of one
+    for (int y = -4; y <= 4; ++y) {
+      for (int x = -4; x <= 4; ++x) {
+        if (random.Uniform() > 0.33) continue;
+        const Eigen::Vector2d hit(corner + x + random.Uniform(), corner + y + random.Uniform());
+        grid.AddHit(hit.x(), hit.y());
+        if (std::abs(x) <= 1 && std::abs(y) <= 1) neighbours.push_back(hit);
+      }
+    }
+    if (neighbours.empty()) continue;
+    const Eigen::Vector2d point(corner + random.Uniform(), corner + random.Uniform());
+    double sum = 0.0;
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+    for (const Eigen::Vector2d& hit : neighbours) {
+      const Eigen::Vector2d d = hit - point;
+      const double weight = std::pow(std::max(0.0, 1.0 - d.squaredNorm() / 4.0), 2);
+      sum += weight;
+      mean += weight * d;
+      second += weight * d * d.transpose();
+    }
+    if (sum < 1e-3) continue;  // all but out of the window: what is left is rounding
+    mean /= sum;
+    const Eigen::Matrix2d covariance = second / sum - mean * mean.transpose();
+    const LocalSurface surface = Fitted(grid, point.x(), point.y());
+    ASSERT_LT((surface.offset.cast<double>() - mean).norm(), 1e-4) << trial;
+    ASSERT_LT((surface.covariance.cast<double>() - covariance).norm(), 1e-4) << trial;
+  }
 }
 
 TEST(LocalSurface, NeedsAHitNearby) {

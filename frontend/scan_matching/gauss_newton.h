@@ -1,0 +1,61 @@
+// Scan matching by Gauss-Newton on the surfaces of a map: sub-cell, in a few iterations.
+#ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_GAUSS_NEWTON_H_
+#define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_GAUSS_NEWTON_H_
+
+#include <Eigen/Core>
+
+#include "frontend/scan_matching/endpoint_model.h"
+#include "frontend/scan_matching/scan_matcher.h"
+
+namespace gmapping_spa::scan_matching {
+
+// Minimizes the robust sum over the beams of the squared Mahalanobis distance between end point and
+// LocalSurface: the distance of generalized ICP (Segal et al. 2009) to a moving least squares
+// surface (Levin 2004), by iteratively reweighted Gauss-Newton. The field of distances is never
+// stored: it is summed up from the map's hit means where a beam ends, and so is always up to date.
+class GaussNewton : public ScanMatcher {
+ public:
+  struct Options {
+    int max_iterations = 20;
+    double noise_sigma_m = 0.02;  // of an end point, map errors included
+    double robust_sigmas = 2.0;   // width of the Cauchy weight
+    // Converged when no component of a step is larger, in m and in rad.
+    double step_tolerance = 5e-4;
+    double min_score = 0.2;  // a match below this is a failure
+  };
+
+  struct Alignment {
+    backend::SE2 world_T_robot;
+    // Inverse covariance of (x, y, theta) in the world frame, as if all beams were independent.
+    Eigen::Matrix3d world_information = Eigen::Matrix3d::Zero();
+    double inliers = 0.0;  // sum of the robust weights, of at most the number of points
+  };
+
+  GaussNewton(const Options& options, const EndpointModel::Options& model_options);
+
+  // The minimum itself, however well it fits. `prior_information`: how sure the initial pose is
+  // about (x, y, theta) in the world frame; positive definite, since a corridor says nothing about
+  // the way along it.
+  Alignment Align(const map::OccupancyGrid& grid, const ScanPoints& points,
+                  const backend::SE2& initial_world_T_robot,
+                  const Eigen::Matrix3d& prior_information) const;
+
+  // The minimum where it scores higher than the initial pose, else that.
+  MatchResult Match(const map::OccupancyGrid& grid, const ScanPoints& points,
+                    const backend::SE2& initial_world_T_robot) const override;
+
+  // A prior that decides nothing that any beam has a say in.
+  static Eigen::Matrix3d WeakPrior() { return 1e-3 * Eigen::Matrix3d::Identity(); }
+
+  // Alignment::world_information at a pose that is given.
+  Eigen::Matrix3d InformationAt(const map::OccupancyGrid& grid, const ScanPoints& points,
+                                const backend::SE2& world_T_robot) const;
+
+ private:
+  Options options_;
+  EndpointModel::Options model_options_;
+};
+
+}  // namespace gmapping_spa::scan_matching
+
+#endif  // GMAPPING_SPA_FRONTEND_SCAN_MATCHING_GAUSS_NEWTON_H_

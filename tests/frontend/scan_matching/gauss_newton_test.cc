@@ -1,0 +1,277 @@
+#include "frontend/scan_matching/gauss_newton.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "backend/counter_random.h"
+#include "tests/frontend/room_map.h"
+
+namespace gmapping_spa::scan_matching {
+namespace {
+
+using backend::SE2;
+
+constexpr double kDeg = std::numbers::pi / 180.0;
+constexpr double kFullThreshold = 0.1;  // the grid's default
+
+const synthetic::Laser kLaser{.robot_T_laser = {0.25, -0.1, 0.3}};
+
+// As RoomMap, by a robot whose laser is not at its centre.
+map::OccupancyGrid OffsetLaserRoomMap() {
+  std::vector<SE2> poses;
+  for (int i = 0; i < 36; ++i) {
+    const double around = 0.55 * i;
+    poses.push_back({1.3 * std::cos(around), 1.1 * std::sin(around), 2.1 * i});
+  }
+  return synthetic::MapFrom(synthetic::Room(), poses, kLaser);
+}
+
+ScanPoints RoomPoints(const SE2& world_T_robot) {
+  return MakeScanPoints(synthetic::Scan(synthetic::Room(), world_T_robot, kLaser));
+}
+
+// The full cells around a point, weighted by the window: mean and covariance, in metres.
+struct Surface {
+  double weight = 0.0;
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+};
+
+Surface SurfaceAt(const map::OccupancyGrid& grid, const Eigen::Vector2d& point_m) {
+  const double resolution_m = grid.resolution_m();
+  const int x = static_cast<int>(std::floor(point_m.x() / resolution_m));
+  const int y = static_cast<int>(std::floor(point_m.y() / resolution_m));
+  Surface surface;
+  for (int at_x = x - 1; at_x <= x + 1; ++at_x) {
+    for (int at_y = y - 1; at_y <= y + 1; ++at_y) {
+      const map::Cell& cell = grid.cell({at_x, at_y});
+      if (!(cell.hits > kFullThreshold * cell.visits)) continue;
+      const Eigen::Vector2d hit = resolution_m * Eigen::Vector2d(at_x + cell.mean_x / 65536.0,
+                                                                 at_y + cell.mean_y / 65536.0);
+      const double d = (hit - point_m).norm() / (2.0 * resolution_m);
+      const double weight = d < 1.0 ? std::pow(1.0 - d * d, 2) : 0.0;
+      surface.weight += weight;
+      surface.mean += weight * hit;
+      surface.covariance += weight * (hit - point_m) * (hit - point_m).transpose();
+    }
+  }
+  if (surface.weight == 0.0) return surface;
+  surface.mean /= surface.weight;
+  surface.covariance /= surface.weight;
+  surface.covariance -= (surface.mean - point_m) * (surface.mean - point_m).transpose();
+  return surface;
+}
+
+// The robust normal equations, beam by beam from the cells of the map; the end points'
+// derivatives by central differences.
+struct Reference {
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  double inliers = 0.0;
+};
+
+Reference NormalEquations(const map::OccupancyGrid& grid, const ScanPoints& points, const SE2& pose,
+                          const GaussNewton::Options& options) {
+  Reference sum;
+  for (const ScanPoint& point : points) {
+    const auto end = [&](const Eigen::Vector3d& d) -> Eigen::Vector2d {
+      return SE2{pose.x + d.x(), pose.y + d.y(), pose.theta + d.z()} *
+             Eigen::Vector2d(point.x_m, point.y_m);
+    };
+    const Surface surface = SurfaceAt(grid, end(Eigen::Vector3d::Zero()));
+    if (surface.weight == 0.0) continue;
+    if (surface.covariance.trace() < 2.5e-7) continue;  // a single hit
+    Eigen::Matrix<double, 2, 3> jacobian;
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d d = 1e-5 * Eigen::Vector3d::Unit(i);
+      jacobian.col(i) = (end(d) - end(-d)) / 2e-5;
+    }
+    const double noise = options.noise_sigma_m;
+    // Across a wall all of the information counts, along it (the larger variance) hardly any.
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
+        surface.covariance + noise * noise * Eigen::Matrix2d::Identity());
+    const double ratio = axes.eigenvalues()[0] / axes.eigenvalues()[1];
+    const Eigen::Vector2d kept(1.0, std::pow(ratio, 4));
+    const Eigen::Matrix2d information = axes.eigenvectors() *
+                                        kept.cwiseQuotient(axes.eigenvalues()).asDiagonal() *
+                                        axes.eigenvectors().transpose();
+    const Eigen::Vector2d error = end(Eigen::Vector3d::Zero()) - surface.mean;
+    const double squared = error.dot(information * error);
+    const double weight = 1.0 / (1.0 + squared / std::pow(options.robust_sigmas, 2));
+    sum.hessian += weight * jacobian.transpose() * information * jacobian;
+    sum.gradient += weight * jacobian.transpose() * information * error;
+    sum.inliers += weight;
+  }
+  return sum;
+}
+
+class GaussNewtonInRoom : public testing::Test {
+ protected:
+  double Offset(double limit) { return limit * (2.0 * random_.Uniform() - 1.0); }
+  SE2 RandomPose() { return {Offset(1.2), Offset(1.0), Offset(std::numbers::pi)}; }
+  SE2 Near(const SE2& pose, double m, double rad) {
+    return pose * SE2{Offset(m), Offset(m), Offset(rad)};
+  }
+
+  const map::OccupancyGrid grid_ = OffsetLaserRoomMap();
+  backend::CounterRandom random_{11, 0};
+};
+
+TEST_F(GaussNewtonInRoom, InformationIsThatOfTheMapItself) {
+  const GaussNewton::Options options{.noise_sigma_m = 0.03, .robust_sigmas = 1.5};
+  for (int trial = 0; trial < 50; ++trial) {
+    const SE2 truth = RandomPose(), pose = Near(truth, 0.1, 4.0 * kDeg);
+    const ScanPoints points = RoomPoints(truth);
+    const Eigen::Matrix3d expected = NormalEquations(grid_, points, pose, options).hessian;
+    const Eigen::Matrix3d information = GaussNewton(options, {}).InformationAt(grid_, points, pose);
+    ASSERT_LT((information - expected).norm(), 1e-3 * expected.norm()) << trial;
+    ASSERT_TRUE(information == information.transpose());
+  }
+}
+
+TEST_F(GaussNewtonInRoom, StepIsThatOfTheNormalEquationsWithThePrior) {
+  const GaussNewton::Options options{.max_iterations = 1};
+  const GaussNewton matcher(options, {});
+  const Eigen::Matrix3d prior = Eigen::Vector3d(3e3, 1e4, 2e5).asDiagonal();
+  for (int trial = 0; trial < 50; ++trial) {
+    const SE2 truth = RandomPose(), start = Near(truth, 0.05, 2.0 * kDeg);
+    const ScanPoints points = RoomPoints(truth);
+    const Reference sum = NormalEquations(grid_, points, start, options);
+    const Eigen::Vector3d step = -(sum.hessian + prior).inverse() * sum.gradient;
+    const GaussNewton::Alignment alignment = matcher.Align(grid_, points, start, prior);
+    ASSERT_NEAR(alignment.world_T_robot.x, start.x + step.x(), 1e-4) << trial;
+    ASSERT_NEAR(alignment.world_T_robot.y, start.y + step.y(), 1e-4) << trial;
+    const double turned = backend::WrapAngle(alignment.world_T_robot.theta - start.theta);
+    ASSERT_NEAR(turned, step.z(), 1e-4) << trial;
+    ASSERT_GT(step.head<2>().norm() + std::abs(step.z()), 1e-3) << trial;
+    ASSERT_NEAR(alignment.inliers, sum.inliers, 1e-2) << trial;
+    ASSERT_LT((alignment.world_information - sum.hessian).norm(), 1e-3 * sum.hessian.norm());
+  }
+}
+
+TEST_F(GaussNewtonInRoom, EndsWhereGradientAndPriorAreInBalance) {
+  const GaussNewton::Options options{.max_iterations = 100, .step_tolerance = 1e-6};
+  const GaussNewton matcher(options, {});
+  const Eigen::Matrix3d prior = Eigen::Vector3d(3e3, 1e4, 2e5).asDiagonal();
+  for (int trial = 0; trial < 20; ++trial) {
+    const SE2 truth = RandomPose(), start = Near(truth, 0.05, 2.0 * kDeg);
+    const ScanPoints points = RoomPoints(truth);
+    const SE2 end = matcher.Align(grid_, points, start, prior).world_T_robot;
+    const Reference sum = NormalEquations(grid_, points, end, options);
+    const Eigen::Vector3d moved(end.x - start.x, end.y - start.y,
+                                backend::WrapAngle(end.theta - start.theta));
+    const Eigen::Vector3d step = (sum.hessian + prior).inverse() * (sum.gradient + prior * moved);
+    EXPECT_LT(step.cwiseAbs().maxCoeff(), 1e-4) << trial;
+  }
+}
+
+TEST_F(GaussNewtonInRoom, RecoversAPoseToAFractionOfACell) {
+  const GaussNewton matcher({}, {});
+  std::vector<double> errors_m, errors_rad;
+  for (int trial = 0; trial < 300; ++trial) {
+    const SE2 truth = RandomPose(), start = Near(truth, 0.05, 2.0 * kDeg);
+    const MatchResult result = matcher.Match(grid_, RoomPoints(truth), start);
+    EXPECT_TRUE(result.success);
+    const SE2 error = Between(truth, result.world_T_robot);
+    errors_m.push_back(error.translation().norm());
+    errors_rad.push_back(std::abs(error.theta));
+  }
+  std::sort(errors_m.begin(), errors_m.end());
+  std::sort(errors_rad.begin(), errors_rad.end());
+  EXPECT_LT(errors_m[150], 0.0005);  // a hundredth of a cell
+  EXPECT_LT(errors_m.back(), 0.002);
+  EXPECT_LT(errors_rad[150], 0.02 * kDeg);
+  EXPECT_LT(errors_rad.back(), 0.1 * kDeg);
+}
+
+TEST_F(GaussNewtonInRoom, ScoreIsThatOfThePoseItReturnsAndNoLowerThanAtTheStart) {
+  const GaussNewton matcher({}, {});
+  int moved = 0, stayed = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const SE2 truth = RandomPose();
+    const double spread = trial % 4 == 0 ? 2.0 : 0.1;
+    const SE2 start = trial % 10 == 0 ? truth : Near(truth, spread, spread);
+    const ScanPoints points = RoomPoints(truth);
+    const MatchResult result = matcher.Match(grid_, points, start);
+    EndpointModel model({}, &grid_, &points);
+    ASSERT_EQ(result.score, model.Score(result.world_T_robot)) << trial;
+    ASSERT_GE(result.score, model.Score(start)) << trial;
+    ASSERT_EQ(result.success, result.score >= 0.2) << trial;
+    ++(result.world_T_robot == start ? stayed : moved);
+  }
+  EXPECT_GT(moved, 50);
+  EXPECT_GT(stayed, 5);
+}
+
+TEST_F(GaussNewtonInRoom, StrongPriorKeepsTheInitialPose) {
+  const SE2 truth{0.2, 0.5, -2.0}, start = truth * SE2{0.03, -0.02, 0.01};
+  const ScanPoints points = RoomPoints(truth);
+  const GaussNewton matcher({}, {});
+  const SE2 held =
+      matcher.Align(grid_, points, start, 1e14 * Eigen::Matrix3d::Identity()).world_T_robot;
+  EXPECT_NEAR(held.x, start.x, 1e-6);
+  EXPECT_NEAR(held.y, start.y, 1e-6);
+  EXPECT_NEAR(held.theta, start.theta, 1e-6);
+  const SE2 free = matcher.Align(grid_, points, start, GaussNewton::WeakPrior()).world_T_robot;
+  EXPECT_GT(Between(start, free).translation().norm(), 0.02);
+}
+
+TEST_F(GaussNewtonInRoom, PriorHoldsOnlyWhatItIsSureOf) {
+  const SE2 truth{0.2, 0.5, -2.0}, start{0.24, 0.46, -2.0};
+  const Eigen::Matrix3d sure_of_x = Eigen::Vector3d(1e14, 1e-3, 1e-3).asDiagonal();
+  const SE2 aligned =
+      GaussNewton({}, {}).Align(grid_, RoomPoints(truth), start, sure_of_x).world_T_robot;
+  EXPECT_NEAR(aligned.x, start.x, 1e-6);
+  EXPECT_GT(aligned.y, start.y + 0.02);
+}
+
+TEST_F(GaussNewtonInRoom, ScanWithoutPointsStaysWhereItIs) {
+  const SE2 start{1, 2, 3};
+  const GaussNewton matcher({.min_score = 0.0}, {});  // even where any score at all would do
+  const GaussNewton::Alignment alignment =
+      matcher.Align(grid_, {}, start, GaussNewton::WeakPrior());
+  EXPECT_TRUE(alignment.world_T_robot == start);
+  EXPECT_TRUE(alignment.world_information.isZero(0.0));
+  EXPECT_EQ(alignment.inliers, 0.0);
+  const MatchResult result = matcher.Match(grid_, {}, start);
+  EXPECT_FALSE(result.success);
+  EXPECT_EQ(result.score, 0.0);
+  EXPECT_TRUE(result.world_T_robot == start);
+}
+
+TEST_F(GaussNewtonInRoom, PointsOutsideTheMapSayNothing) {
+  const ScanPoints points = RoomPoints({});
+  const map::OccupancyGrid empty({});
+  const SE2 far_away{-5000, 7000, 1};
+  for (const map::OccupancyGrid* grid : {&grid_, &empty}) {
+    const GaussNewton matcher({}, {});
+    EXPECT_TRUE(matcher.InformationAt(*grid, points, far_away).isZero(0.0));
+    const MatchResult result = matcher.Match(*grid, points, far_away);
+    EXPECT_FALSE(result.success);
+    EXPECT_TRUE(result.world_T_robot == far_away);
+    EXPECT_TRUE(matcher.Align(*grid, points, far_away, GaussNewton::WeakPrior()).world_T_robot ==
+                far_away);
+  }
+}
+
+TEST_F(GaussNewtonInRoom, PointsThatMeetNothingDoNotDisturbTheOthers) {
+  const SE2 truth{0.2, 0.5, -2.0}, start = truth * SE2{0.03, -0.02, 0.01};
+  ScanPoints points = RoomPoints(truth);
+  const GaussNewton matcher({}, {});
+  const GaussNewton::Alignment alone =
+      matcher.Align(grid_, points, start, GaussNewton::WeakPrior());
+  for (int i = 0; i < 50; ++i) points.push_back({100.0 + i, -300.0, -1.0, 0.0});
+  const GaussNewton::Alignment with = matcher.Align(grid_, points, start, GaussNewton::WeakPrior());
+  EXPECT_TRUE(with.world_T_robot == alone.world_T_robot);
+  EXPECT_EQ(with.inliers, alone.inliers);
+  EXPECT_GT(alone.inliers, 0.8 * static_cast<double>(points.size() - 50));
+}
+
+}  // namespace
+}  // namespace gmapping_spa::scan_matching
