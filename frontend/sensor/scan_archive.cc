@@ -1,0 +1,60 @@
+#include "frontend/sensor/scan_archive.h"
+
+#include <algorithm>
+
+namespace gmapping_spa::sensor {
+namespace {
+
+float Packed(const Beam& beam) {
+  const auto range_m = static_cast<float>(beam.range_m);
+  switch (beam.status) {
+    case BeamStatus::kHit:
+      return range_m;
+    case BeamStatus::kNoReturn:
+      return -range_m;
+    case BeamStatus::kInvalid:
+      break;
+  }
+  return 0.0f;
+}
+
+Beam Unpacked(double angle_rad, float packed) {
+  if (packed > 0.0f) return {angle_rad, packed, BeamStatus::kHit};
+  if (packed < 0.0f) return {angle_rad, -packed, BeamStatus::kNoReturn};
+  return {angle_rad, 0.0, BeamStatus::kInvalid};
+}
+
+}  // namespace
+
+int ScanArchive::Add(const LaserScan& scan) {
+  Entry entry{scan.index, scan.stamp_s, scan.odom_T_robot, scan.robot_T_laser, nullptr, {}};
+  entry.ranges_m.reserve(scan.beams.size());
+  for (const Beam& beam : scan.beams) entry.ranges_m.push_back(Packed(beam));
+
+  const auto same_angle = [](const Beam& beam, double angle_rad) {
+    return beam.angle_rad == angle_rad;
+  };
+  if (!scans_.empty() &&
+      std::equal(scan.beams.begin(), scan.beams.end(), scans_.back().angles_rad->begin(),
+                 scans_.back().angles_rad->end(), same_angle)) {
+    entry.angles_rad = scans_.back().angles_rad;
+  } else {
+    std::vector<double> angles_rad;
+    for (const Beam& beam : scan.beams) angles_rad.push_back(beam.angle_rad);
+    entry.angles_rad = std::make_shared<const std::vector<double>>(std::move(angles_rad));
+  }
+  scans_.push_back(std::move(entry));
+  return size() - 1;
+}
+
+LaserScan ScanArchive::Get(int position) const {
+  const Entry& entry = scans_.at(position);
+  LaserScan scan{entry.index, entry.stamp_s, entry.odom_T_robot, entry.robot_T_laser, {}};
+  scan.beams.reserve(entry.ranges_m.size());
+  for (std::size_t k = 0; k < entry.ranges_m.size(); ++k) {
+    scan.beams.push_back(Unpacked((*entry.angles_rad)[k], entry.ranges_m[k]));
+  }
+  return scan;
+}
+
+}  // namespace gmapping_spa::sensor
