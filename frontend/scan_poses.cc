@@ -9,9 +9,10 @@ namespace gmapping_spa::frontend {
 
 using backend::SE2;
 
-void ScanPoses::Add(const sensor::LaserScan& scan, double motion, bool is_update) {
+void ScanPoses::Add(const sensor::LaserScan& scan, const SE2& odom_T_robot, double motion,
+                    bool is_update) {
   CHECK(is_update || !entries_.empty());
-  entries_.push_back({scan.index, scan.stamp_s, scan.odom_T_robot, motion, is_update});
+  entries_.push_back({scan.index, scan.stamp_s, odom_T_robot, motion, is_update});
 }
 
 backend::Trajectory ScanPoses::Fill(const std::vector<SE2>& world_T_updates) const {

@@ -18,7 +18,9 @@ class ScanPoses {
  public:
   // Scans in the order of time. `motion` is the amount of motion since the scan before, in any
   // unit; `is_update` says whether the filter was updated with this scan. The first one must be.
-  void Add(const sensor::LaserScan& scan, double motion, bool is_update);
+  // `odom_T_robot` is the odometry to fill with: the wheels' or a better one.
+  void Add(const sensor::LaserScan& scan, const backend::SE2& odom_T_robot, double motion,
+           bool is_update);
 
   // Poses of all scans in the order of the input, given those at the updates.
   backend::Trajectory Fill(const std::vector<backend::SE2>& world_T_updates) const;

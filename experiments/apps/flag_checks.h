@@ -4,6 +4,9 @@
 
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace gmapping_spa::apps {
 
@@ -16,6 +19,20 @@ T InRange(const char* flag, T value, T min, T max) {
   message << "--" << flag << ": expected a value from " << min << " to " << max << ", found "
           << value;
   throw std::runtime_error(message.str());
+}
+
+// Returns what the name `value` stands for; throws std::runtime_error with one line that lists the
+// names when it is none of them.
+template <typename T>
+T OneOf(const char* flag, const std::string& value,
+        const std::vector<std::pair<std::string, T>>& choices) {
+  std::string names;
+  for (const auto& [name, meaning] : choices) {
+    if (value == name) return meaning;
+    names += names.empty() ? name : ", " + name;
+  }
+  throw std::runtime_error(std::string("--") + flag + ": expected one of " + names + ", found '" +
+                           value + "'");
 }
 
 }  // namespace gmapping_spa::apps

@@ -6,11 +6,14 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "backend/g2o_io.h"
 #include "experiments/apps/app.h"
+#include "experiments/apps/backend_flags.h"
+#include "experiments/apps/closure_table.h"
 #include "experiments/apps/input_file.h"
 #include "experiments/apps/log_flags.h"
 #include "experiments/apps/map_picture.h"
@@ -18,10 +21,9 @@
 #include "experiments/apps/progress_bar.h"
 #include "experiments/apps/run_record.h"
 #include "experiments/apps/slam_flags.h"
-#include "frontend/gmapping.h"
+#include "frontend/improved_gmapping.h"
 #include "frontend/map/map_building.h"
 #include "frontend/map/map_server_io.h"
-#include "frontend/scan_matching/hill_climbing.h"
 #include "frontend/sensor/open_log.h"
 
 DEFINE_string(log, "", "Sensor log (CARMEN), plain or gzipped.");
@@ -32,14 +34,13 @@ namespace {
 
 struct Slam {
   double occupied_threshold = OccupiedThresholdFromFlags();
-  backend::PoseGraphRecorder graph;
-  frontend::Gmapping gmapping;
+  frontend::ImprovedGmapping gmapping;
+  std::optional<frontend::Estimate> estimate;
 
   Slam()
-      : gmapping(GmappingOptionsFromFlags(),
-                 std::make_shared<scan_matching::HillClimbing>(HillClimbingOptionsFromFlags(),
-                                                               EndpointOptionsFromFlags()),
-                 &graph) {}
+      : gmapping(SlamOptionsFromFlags(), ScanMatcherFromFlags(),
+                 [optimizer = std::shared_ptr<backend::Optimizer>(LoadOptimizerFromFlags())](
+                     backend::PoseGraph* g) { return OptimizeAsFlagsSay(optimizer.get(), g); }) {}
 };
 
 std::int64_t CountLines(const std::string& path) {
@@ -47,7 +48,8 @@ std::int64_t CountLines(const std::string& path) {
   return std::count(std::istreambuf_iterator<char>(*in), {}, '\n');
 }
 
-sensor::LogCounts ProcessLog(const sensor::LogOptions& options, frontend::Gmapping* gmapping) {
+sensor::LogCounts ProcessLog(const sensor::LogOptions& options,
+                             frontend::ImprovedGmapping* gmapping) {
   ProgressBar progress("slam", CountLines(FLAGS_log));
   const std::unique_ptr<sensor::LogReader> reader =
       sensor::OpenCarmenLog(OpenInput(FLAGS_log), FLAGS_log, options);
@@ -61,11 +63,9 @@ sensor::LogCounts ProcessLog(const sensor::LogOptions& options, frontend::Gmappi
 
 void WriteResults(const Slam& slam, const sensor::LogCounts& log_counts, Stopwatch* stopwatch,
                   OutputFiles* files) {
-  const backend::Trajectory trajectory = slam.gmapping.ScanTrajectory();
-  const map::TrinaryMap map = map::BuildTrinaryMap(slam.gmapping.Map(), slam.occupied_threshold);
-  backend::PoseGraph graph = slam.graph.graph();
-  const std::vector<backend::SE2> node_poses = slam.gmapping.NodePoses();
-  for (std::size_t i = 0; i < graph.nodes.size(); ++i) graph.nodes[i].world_T_node = node_poses[i];
+  const frontend::Estimate& estimate = slam.estimate.value();
+  const backend::Trajectory& trajectory = estimate.trajectory;
+  const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, slam.occupied_threshold);
   backend::Trajectory by_time = trajectory;
   std::stable_sort(by_time.begin(), by_time.end(),
                    [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; });
@@ -73,7 +73,10 @@ void WriteResults(const Slam& slam, const sensor::LogCounts& log_counts, Stopwat
   files->Write("trajectory.tum", [&](std::ostream& out) { backend::WriteTum(trajectory, out); });
   files->Write("map.pgm", [&](std::ostream& out) { map::WritePgm(map, out); });
   files->Write("map.yaml", [&](std::ostream& out) { map::WriteMapYaml(map, "map.pgm", out); });
-  files->Write("graph.g2o", [&](std::ostream& out) { backend::WriteG2o(graph, out); });
+  files->Write("graph.g2o", [&](std::ostream& out) { backend::WriteG2o(estimate.graph, out); });
+  files->Write("loop_closures.csv", [&](std::ostream& out) {
+    WriteClosures(slam.gmapping.loop_closer().records(), estimate.graph.nodes, out);
+  });
   WriteMapPicture(map, by_time, files->TemporaryPath("map.png"));
   stopwatch->Lap("writing_s");
   const Json record =
@@ -89,16 +92,19 @@ void Run() {
       !std::filesystem::is_directory(FLAGS_log)) {
     throw std::runtime_error(FLAGS_log + ": expected a regular file, which can be read repeatedly");
   }
+  OptionsFromFlags();  // complains now, not in the graph thread
   Stopwatch stopwatch;
   const sensor::LogOptions log_options = LogOptionsFromFlags();
   Slam slam;
   OutputFiles files(FLAGS_output_dir);
   const sensor::LogCounts log_counts = ProcessLog(log_options, &slam.gmapping);
   stopwatch.Lap("processing_s");
+  slam.estimate = slam.gmapping.Finish();
+  stopwatch.Lap("finish_s");
   WriteResults(slam, log_counts, &stopwatch, &files);
   ThrowIfInterrupted();
   files.Commit();
-  const frontend::Gmapping::Counts& counts = slam.gmapping.counts();
+  const frontend::ImprovedGmapping::Counts& counts = slam.gmapping.counts();
   std::cout << counts.scans << " scans, " << counts.updates << " updates, " << counts.resamplings
             << " resamplings; results in " << FLAGS_output_dir << '\n';
 }
@@ -107,6 +113,8 @@ void Run() {
 }  // namespace gmapping_spa::apps
 
 int main(int argc, char** argv) {
+  // Closures found by a machine are never beyond doubt; those in files may have been checked.
+  gflags::SetCommandLineOptionWithMode("loss", "huber", gflags::SET_FLAGS_DEFAULT);
   return gmapping_spa::apps::RunApp(
       argc, argv,
       "makes a map and a trajectory from a sensor log.\n"

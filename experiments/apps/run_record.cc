@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/apps/closure_table.h"
+
 namespace gmapping_spa::apps {
 namespace {
 
@@ -39,12 +41,12 @@ double Seconds(const timeval& time) {
 }  // namespace
 
 Json MakeRunRecord(const FileIdentity& input, const sensor::LogCounts& log_counts,
-                   const frontend::Gmapping& gmapping, const map::TrinaryMap& map,
+                   const frontend::ImprovedGmapping& gmapping, const map::TrinaryMap& map,
                    const Stopwatch& stopwatch) {
   std::string threads;
   gflags::GetCommandLineOption("threads", &threads);
-  const frontend::Gmapping::Counts& counts = gmapping.counts();
-  const map::OccupancyGrid& grid = gmapping.Map();
+  const frontend::ImprovedGmapping::Counts& counts = gmapping.counts();
+  const frontend::GraphThread::Counts& graph = gmapping.graph_thread().counts();
   const particle_filter::ParticleFilter::Times& filter_times = gmapping.filter().times();
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -60,12 +62,15 @@ Json MakeRunRecord(const FileIdentity& input, const sensor::LogCounts& log_count
        {{"scans", counts.scans},
         {"updates", counts.updates},
         {"resamplings", counts.resamplings},
-        {"failed_matches", counts.failed_matches}}},
-      {"map",
-       {{"width", map.width},
-        {"height", map.height},
-        {"resolution_m", map.resolution_m},
-        {"tiles_of_best_particle", grid.CountTiles()}}},
+        {"failed_matches", counts.failed_matches},
+        {"corrections", counts.corrections}}},
+      {"loop_closures", CountClosures(gmapping.loop_closer().records())},
+      {"graph_thread",
+       {{"started", graph.started},
+        {"taken", graph.taken},
+        {"failed", graph.failed},
+        {"late", graph.late}}},
+      {"map", {{"width", map.width}, {"height", map.height}, {"resolution_m", map.resolution_m}}},
       {"resources",
        {{"threads", std::stoi(threads)},
         {"user_s", Seconds(usage.ru_utime)},
@@ -73,7 +78,8 @@ Json MakeRunRecord(const FileIdentity& input, const sensor::LogCounts& log_count
         {"peak_memory_mb", static_cast<double>(usage.ru_maxrss) / 1024.0},
         {"matching_s", filter_times.matching_s},
         {"registration_s", filter_times.registration_s},
-        {"resampling_s", filter_times.resampling_s}}}};
+        {"resampling_s", filter_times.resampling_s},
+        {"correction_s", filter_times.correction_s}}}};
   json["resources"].update(stopwatch.laps());
   return json;
 }

@@ -6,7 +6,7 @@
 
 #include "experiments/apps/input_file.h"
 #include "experiments/apps/json.h"
-#include "frontend/gmapping.h"
+#include "frontend/improved_gmapping.h"
 #include "frontend/map/trinary_map.h"
 #include "frontend/sensor/log_reader.h"
 
@@ -32,7 +32,7 @@ class Stopwatch {
 // Everything that may differ between two runs with the same input, flags and seed (times, memory,
 // and what does not change results: --threads and where outputs go) stands under "resources".
 Json MakeRunRecord(const FileIdentity& input, const sensor::LogCounts& log_counts,
-                   const frontend::Gmapping& gmapping, const map::TrinaryMap& map,
+                   const frontend::ImprovedGmapping& gmapping, const map::TrinaryMap& map,
                    const Stopwatch& stopwatch);
 
 }  // namespace gmapping_spa::apps

@@ -2,48 +2,59 @@
 
 #include <gflags/gflags.h>
 
-#include <stdexcept>
 #include <string>
 
 #include "experiments/apps/flag_checks.h"
+#include "experiments/apps/graph_flags.h"
+#include "frontend/scan_matching/gauss_newton.h"
+#include "frontend/scan_matching/hill_climbing.h"
 
 namespace {
-const gmapping_spa::frontend::Gmapping::Options kGmapping;
-const auto& kMotion = kGmapping.filter.motion;
+const gmapping_spa::frontend::ImprovedGmapping::Options kSlam;
+const auto& kMotion = kSlam.filter.motion;
 const gmapping_spa::scan_matching::HillClimbing::Options kHillClimbing;
+const gmapping_spa::scan_matching::GaussNewton::Options kGaussNewton;
 const gmapping_spa::scan_matching::EndpointModel::Options kEndpoint;
 }  // namespace
 
-DEFINE_string(backend, "none", "Back end that optimizes the pose graph: none.");
-DEFINE_int32(particles, kGmapping.filter.particles, "Number of particles.");
-DEFINE_uint64(seed, kGmapping.filter.seed, "Seed of all random numbers.");
-DEFINE_int32(threads, kGmapping.filter.threads,
+DEFINE_int32(particles, kSlam.filter.particles, "Number of particles.");
+DEFINE_uint64(seed, kSlam.filter.seed, "Seed of all random numbers.");
+DEFINE_int32(threads, kSlam.filter.threads,
              "Threads for the particles; the results do not depend on it.");
 
-DEFINE_double(linear_update_m, kGmapping.linear_update_m,
+DEFINE_double(linear_update_m, kSlam.linear_update_m,
               "The filter is updated after this much driving.");
-DEFINE_double(angular_update_rad, kGmapping.angular_update_rad,
+DEFINE_double(angular_update_rad, kSlam.angular_update_rad,
               "The filter is updated after this much turning.");
-DEFINE_double(resample_threshold, kGmapping.filter.resample_threshold,
+DEFINE_double(resample_threshold, kSlam.filter.resample_threshold,
               "Resample when N_eff is below this part of the number of particles.");
-DEFINE_int32(initial_guesses, kGmapping.filter.initial_guesses,
+DEFINE_string(
+    odometry, "scan_matched",
+    "The filter's control input: wheel, or scan_matched (every scan with the last ones).");
+DEFINE_string(scan_matcher, "gauss_newton",
+              "Scan matcher of the particles: hill_climbing or gauss_newton.");
+DEFINE_int32(initial_guesses, kSlam.filter.initial_guesses,
              "Draws from the motion model among which scan matching chooses its start, besides the "
              "odometry's prediction.");
-DEFINE_double(obs_sigma_gain, kGmapping.filter.obs_sigma_gain,
+DEFINE_double(obs_sigma_gain, kSlam.filter.obs_sigma_gain,
               "Weights are flattened by the exponent 1 / (this * particles).");
 
-DEFINE_double(resolution_m, kGmapping.filter.grid.resolution_m, "Size of a map cell.");
-DEFINE_double(full_threshold, kGmapping.filter.grid.full_threshold,
+DEFINE_double(resolution_m, kSlam.filter.grid.resolution_m, "Size of a map cell.");
+DEFINE_double(full_threshold, kSlam.filter.grid.full_threshold,
               "A cell with more than this part of hits is an obstacle for scan matching.");
 DEFINE_double(occupied_threshold, 0.25,
               "A cell with more than this part of hits is occupied in the map written.");
-DEFINE_bool(no_return_clears, kGmapping.filter.registration.no_return_clears,
+DEFINE_bool(no_return_clears, kSlam.filter.registration.no_return_clears,
             "Beams without return clear the map up to the usable range.");
 
 DEFINE_double(match_linear_step_m, kHillClimbing.linear_step_m, "First step of hill climbing.");
 DEFINE_double(match_angular_step_rad, kHillClimbing.angular_step_rad,
               "First step of hill climbing.");
 DEFINE_int32(match_halvings, kHillClimbing.halvings, "How often hill climbing halves its steps.");
+DEFINE_double(match_noise_m, kGaussNewton.noise_sigma_m,
+              "Standard deviation of a beam's end point in Gauss-Newton matching.");
+DEFINE_double(match_robust_sigmas, kGaussNewton.robust_sigmas,
+              "Width of the Cauchy weight of a beam in Gauss-Newton matching.");
 DEFINE_double(match_min_score, kHillClimbing.min_score,
               "A scan match with a mean score a beam (0 to 1) below this has failed.");
 DEFINE_double(score_sigma_m, kEndpoint.score_sigma_m,
@@ -73,15 +84,27 @@ double Positive(const char* name, double value) { return InRange(name, value, 1e
 
 double NotNegative(const char* name, double value) { return InRange(name, value, 0.0, 1e6); }
 
+scan_matching::GaussNewton::Options GaussNewtonOptionsFromFlags() {
+  return {.noise_sigma_m = InRange("match_noise_m", FLAGS_match_noise_m, 1e-3, 100.0),
+          .robust_sigmas = Positive("match_robust_sigmas", FLAGS_match_robust_sigmas),
+          .min_score = NotNegative("match_min_score", FLAGS_match_min_score)};
+}
+
+scan_matching::HillClimbing::Options HillClimbingOptionsFromFlags() {
+  return {.linear_step_m = Positive("match_linear_step_m", FLAGS_match_linear_step_m),
+          .angular_step_rad = Positive("match_angular_step_rad", FLAGS_match_angular_step_rad),
+          .halvings = InRange("match_halvings", FLAGS_match_halvings, 0, 50),
+          .min_score = NotNegative("match_min_score", FLAGS_match_min_score)};
+}
+
 }  // namespace
 
-frontend::Gmapping::Options GmappingOptionsFromFlags() {
-  if (FLAGS_backend != "none") {
-    throw std::runtime_error("--backend=" + FLAGS_backend + ": unknown back end, expected none");
-  }
-  frontend::Gmapping::Options options;
+frontend::ImprovedGmapping::Options SlamOptionsFromFlags() {
+  frontend::ImprovedGmapping::Options options;
   options.linear_update_m = NotNegative("linear_update_m", FLAGS_linear_update_m);
   options.angular_update_rad = NotNegative("angular_update_rad", FLAGS_angular_update_rad);
+  options.scan_matched_odometry =
+      OneOf<bool>("odometry", FLAGS_odometry, {{"wheel", false}, {"scan_matched", true}});
   particle_filter::ParticleFilter::Options& filter = options.filter;
   filter.particles = InRange("particles", FLAGS_particles, 1, 100000);
   filter.threads = InRange("threads", FLAGS_threads, 1, 1024);
@@ -105,14 +128,28 @@ frontend::Gmapping::Options GmappingOptionsFromFlags() {
           NotNegative("motion_angular_per_angular", FLAGS_motion_angular_per_angular),
       .linear_floor_m = Positive("motion_linear_floor_m", FLAGS_motion_linear_floor_m),
       .angular_floor_rad = Positive("motion_angular_floor_rad", FLAGS_motion_angular_floor_rad)};
+  // All that align scans do it alike.
+  options.scan_odometry.grid = filter.grid;
+  options.scan_odometry.endpoint = filter.endpoint;
+  options.loop_closer.verifier.grid = filter.grid;
+  for (scan_matching::GaussNewton::Options* aligns :
+       {&options.scan_odometry.gauss_newton, &options.loop_closer.verifier.gauss_newton,
+        &options.final_round.gauss_newton, &filter.edges.gauss_newton}) {
+    *aligns = GaussNewtonOptionsFromFlags();
+  }
+  AddGraphOptions(&options);
   return options;
 }
 
-scan_matching::HillClimbing::Options HillClimbingOptionsFromFlags() {
-  return {.linear_step_m = Positive("match_linear_step_m", FLAGS_match_linear_step_m),
-          .angular_step_rad = Positive("match_angular_step_rad", FLAGS_match_angular_step_rad),
-          .halvings = InRange("match_halvings", FLAGS_match_halvings, 0, 50),
-          .min_score = NotNegative("match_min_score", FLAGS_match_min_score)};
+std::shared_ptr<const scan_matching::ScanMatcher> ScanMatcherFromFlags() {
+  const bool gauss_newton = OneOf<bool>("scan_matcher", FLAGS_scan_matcher,
+                                        {{"hill_climbing", false}, {"gauss_newton", true}});
+  if (gauss_newton) {
+    return std::make_shared<scan_matching::GaussNewton>(GaussNewtonOptionsFromFlags(),
+                                                        EndpointOptionsFromFlags());
+  }
+  return std::make_shared<scan_matching::HillClimbing>(HillClimbingOptionsFromFlags(),
+                                                       EndpointOptionsFromFlags());
 }
 
 scan_matching::EndpointModel::Options EndpointOptionsFromFlags() {

@@ -2,15 +2,17 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_FLAGS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_FLAGS_H_
 
-#include "frontend/gmapping.h"
+#include <memory>
+
+#include "frontend/improved_gmapping.h"
 #include "frontend/scan_matching/endpoint_model.h"
-#include "frontend/scan_matching/hill_climbing.h"
+#include "frontend/scan_matching/scan_matcher.h"
 
 namespace gmapping_spa::apps {
 
 // Each throws std::runtime_error with one line when a flag makes no sense.
-frontend::Gmapping::Options GmappingOptionsFromFlags();
-scan_matching::HillClimbing::Options HillClimbingOptionsFromFlags();
+frontend::ImprovedGmapping::Options SlamOptionsFromFlags();
+std::shared_ptr<const scan_matching::ScanMatcher> ScanMatcherFromFlags();
 scan_matching::EndpointModel::Options EndpointOptionsFromFlags();
 double OccupiedThresholdFromFlags();
 

@@ -4,17 +4,9 @@
 
 #include "backend/se2.h"
 #include "frontend/map/occupancy_grid.h"
-#include "frontend/particle_filter/proposal.h"
 #include "frontend/particle_filter/trajectory_tree.h"
 
 namespace gmapping_spa::particle_filter {
-
-// The latest step of a particle: what the pose graph wants to know about it.
-struct Step {
-  backend::SE2 world_T_previous;     // its pose before the step
-  bool matched = false;              // whether the scan matcher succeeded
-  Eigen::Matrix3d world_covariance;  // of the new pose given the previous one
-};
 
 struct Particle {
   backend::SE2 world_T_robot;
@@ -22,7 +14,7 @@ struct Particle {
   double log_likelihood = 0.0;  // of the whole path, inherited from its ancestors
   map::OccupancyGrid map;
   TrajectoryTree::Index leaf = TrajectoryTree::kNone;
-  Step step;
+  TrajectoryTree::Motion motion;  // of the latest step
 };
 
 }  // namespace gmapping_spa::particle_filter

@@ -39,7 +39,11 @@ class Stopwatch {
 
 ParticleFilter::ParticleFilter(const Options& options,
                                std::shared_ptr<const scan_matching::ScanMatcher> matcher)
-    : options_(options), matcher_(std::move(matcher)), motion_model_(options.motion) {
+    : options_(options),
+      matcher_(std::move(matcher)),
+      motion_model_(options.motion),
+      edge_model_(options.edges),
+      map_history_(options.map_history, options.grid, options.registration) {
   CHECK_GE(options.particles, 1);
   CHECK_GE(options.threads, 1);
   CHECK_GT(options.obs_sigma_gain, 0.0);
@@ -48,8 +52,8 @@ ParticleFilter::ParticleFilter(const Options& options,
 void ParticleFilter::Start(const sensor::LaserScan& scan, const SE2& world_T_robot) {
   Particle first{.world_T_robot = world_T_robot,
                  .map = map::OccupancyGrid(options_.grid),
-                 .leaf = tree_.Append(TrajectoryTree::kNone, world_T_robot),
-                 .step = {}};
+                 .leaf = tree_.AddRoot(world_T_robot),
+                 .motion = {}};
   map::RegisterScan(scan, world_T_robot, options_.registration, &first.map);
   particles_.assign(options_.particles, first);
 }
@@ -66,8 +70,8 @@ ParticleFilter::Update ParticleFilter::Advance(const sensor::LaserScan& scan,
                 [&](int index) { Move(points, odometry_increment, index); });
   }
   for (Particle& particle : particles_) {
-    update.failed_matches += particle.step.matched ? 0 : 1;
-    particle.leaf = tree_.Append(particle.leaf, particle.world_T_robot);
+    update.failed_matches += particle.motion.matched ? 0 : 1;
+    particle.leaf = tree_.Append(particle.leaf, particle.world_T_robot, particle.motion);
   }
   const std::vector<int> ancestors = ChooseAncestors(&update);
   {
@@ -93,16 +97,18 @@ void ParticleFilter::Move(const scan_matching::ScanPoints& points, const SE2& od
   const scan_matching::MatchResult match = matcher_->Match(  // eq. (8)
       particle.map, points, InitialGuess(particle, odometry_increment, &model, &random));
   double log_factor = 0.0;  // of the weight, eqs. (7) and (15)
+  EdgeModel::Step step{previous, {}, odometry_increment, prior.covariance, match.success};
   if (match.success) {
     const Proposal proposal = ComputeProposal(&model, match.world_T_robot, prior);
     particle.world_T_robot = Draw(proposal.gaussian, &random);  // eq. (13)
-    particle.step = {previous, true, proposal.gaussian.covariance};
+    step.world_covariance = proposal.gaussian.covariance;
     log_factor = proposal.log_eta;
   } else {
     particle.world_T_robot = motion_model_.Sample(previous, odometry_increment, &random);
-    particle.step = {previous, false, prior.covariance};
     log_factor = model.LogLikelihood(particle.world_T_robot);  // eq. (10)
   }
+  step.world_T_robot = particle.world_T_robot;
+  particle.motion = edge_model_.Describe(step, particle.map, points);
   particle.log_weight += log_factor;
   particle.log_likelihood += log_factor;
 }
@@ -173,8 +179,31 @@ int ParticleFilter::BestParticle() const {
   return static_cast<int>(best - particles_.begin());
 }
 
-std::vector<SE2> ParticleFilter::Path(int particle) const {
+std::vector<TrajectoryTree::Vertex> ParticleFilter::Path(int particle) const {
   return tree_.Path(particles_[particle].leaf);
+}
+
+void ParticleFilter::CorrectCurrentPoses(const PathCorrection& correction) {
+  for (Particle& particle : particles_) {
+    particle.world_T_robot = correction.Apply(static_cast<int>(step_), particle.world_T_robot);
+    tree_.SetPose(particle.leaf, particle.world_T_robot);
+  }
+}
+
+void ParticleFilter::CorrectHistories(const PathCorrection& correction,
+                                      const MapHistory::ScanOfStep& scan_of_step) {
+  const Stopwatch stopwatch(&times_.correction_s);
+  // Twins share leaves only right after resampling; the lineages of the dead are of no use.
+  std::vector<TrajectoryTree::Index> leaves;
+  for (const Particle& particle : particles_) leaves.push_back(particle.leaf);
+  tree_.Prune(&leaves);
+  tree_.Correct(correction);
+  std::vector<map::OccupancyGrid> maps = map_history_.Rebuild(tree_, leaves, scan_of_step);
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    particles_[i].leaf = leaves[i];
+    particles_[i].world_T_robot = tree_.vertices()[leaves[i]].world_T_robot;
+    particles_[i].map = std::move(maps[i]);
+  }
 }
 
 }  // namespace gmapping_spa::particle_filter

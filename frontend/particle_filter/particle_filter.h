@@ -9,8 +9,12 @@
 #include "backend/se2.h"
 #include "frontend/map/occupancy_grid.h"
 #include "frontend/map/scan_registration.h"
+#include "frontend/particle_filter/edge_model.h"
+#include "frontend/particle_filter/map_history.h"
 #include "frontend/particle_filter/motion_model.h"
 #include "frontend/particle_filter/particle.h"
+#include "frontend/particle_filter/path_correction.h"
+#include "frontend/particle_filter/trajectory_tree.h"
 #include "frontend/scan_matching/endpoint_model.h"
 #include "frontend/scan_matching/scan_matcher.h"
 #include "frontend/sensor/laser_scan.h"
@@ -22,19 +26,21 @@ namespace gmapping_spa::particle_filter {
 class ParticleFilter {
  public:
   struct Options {
-    int particles = 30;
+    int particles = 5;
     int threads = 1;
     std::uint64_t seed = 1;
     // Resampling when N_eff falls below this part of the number of particles.
     double resample_threshold = 0.5;
-    // Hill climbing starts at the best of the odometry's prediction and this many draws from the
+    // Scan matching starts at the best of the odometry's prediction and this many draws from the
     // motion model.
-    int initial_guesses = 20;
+    int initial_guesses = 0;
     // Weights are p(z)^(1 / (gain * particles)), as in GMapping.
     double obs_sigma_gain = 1.0;
+    EdgeModel::Options edges;
     MotionModel::Options motion;
     map::OccupancyGrid::Options grid;
     map::RegistrationOptions registration;
+    MapHistory::Options map_history;
     scan_matching::EndpointModel::Options endpoint;
   };
 
@@ -48,6 +54,7 @@ class ParticleFilter {
     double matching_s = 0.0;
     double registration_s = 0.0;
     double resampling_s = 0.0;
+    double correction_s = 0.0;
   };
 
   ParticleFilter(const Options& options, std::shared_ptr<const scan_matching::ScanMatcher> matcher);
@@ -63,7 +70,15 @@ class ParticleFilter {
   const std::vector<Particle>& particles() const { return particles_; }
 
   // Poses of a particle at Start and at every Advance.
-  std::vector<backend::SE2> Path(int particle) const;
+  std::vector<TrajectoryTree::Vertex> Path(int particle) const;
+
+  // Step 6, eq. (14), as the paper writes it: adds the correction to each particle's current pose.
+  void CorrectCurrentPoses(const PathCorrection& correction);
+
+  // Moves the whole history of each particle and rebuilds its map. Weights and ancestry stay: the
+  // correction is the same for all particles, but for what they differ in.
+  void CorrectHistories(const PathCorrection& correction,
+                        const MapHistory::ScanOfStep& scan_of_step);
 
   const Times& times() const { return times_; }
 
@@ -80,8 +95,10 @@ class ParticleFilter {
   Options options_;
   std::shared_ptr<const scan_matching::ScanMatcher> matcher_;
   MotionModel motion_model_;
+  EdgeModel edge_model_;
   std::vector<Particle> particles_;
   TrajectoryTree tree_;
+  MapHistory map_history_;
   std::uint32_t step_ = 0;  // addresses the random numbers
   Times times_;
 };

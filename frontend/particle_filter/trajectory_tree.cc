@@ -1,22 +1,23 @@
 #include "frontend/particle_filter/trajectory_tree.h"
 
-#include <glog/logging.h>
-
 #include <algorithm>
 
 namespace gmapping_spa::particle_filter {
 
-TrajectoryTree::Index TrajectoryTree::Append(Index parent, const backend::SE2& world_T_robot) {
-  CHECK(parent >= kNone && parent < static_cast<Index>(vertices_.size()));
-  vertices_.push_back({world_T_robot, parent});
+TrajectoryTree::Index TrajectoryTree::AddRoot(const backend::SE2& world_T_robot) {
+  vertices_.push_back({world_T_robot, {}, kNone, 0});
   return static_cast<Index>(vertices_.size()) - 1;
 }
 
-std::vector<backend::SE2> TrajectoryTree::Path(Index leaf) const {
-  std::vector<backend::SE2> path;
-  for (Index at = leaf; at != kNone; at = vertices_[at].parent) {
-    path.push_back(vertices_[at].world_T_robot);
-  }
+TrajectoryTree::Index TrajectoryTree::Append(Index parent, const backend::SE2& world_T_robot,
+                                             const Motion& motion) {
+  vertices_.push_back({world_T_robot, motion, parent, vertices_.at(parent).step + 1});
+  return static_cast<Index>(vertices_.size()) - 1;
+}
+
+std::vector<TrajectoryTree::Vertex> TrajectoryTree::Path(Index leaf) const {
+  std::vector<Vertex> path;
+  for (Index at = leaf; at != kNone; at = vertices_[at].parent) path.push_back(vertices_[at]);
   std::reverse(path.begin(), path.end());
   return path;
 }
@@ -37,6 +38,12 @@ void TrajectoryTree::Prune(std::vector<Index>* leaves) {
   }
   vertices_.resize(next);
   for (Index& leaf : *leaves) leaf = renumbered[leaf];
+}
+
+void TrajectoryTree::Correct(const PathCorrection& correction) {
+  for (Vertex& vertex : vertices_) {
+    vertex.world_T_robot = correction.Apply(vertex.step, vertex.world_T_robot);
+  }
 }
 
 }  // namespace gmapping_spa::particle_filter

@@ -2,10 +2,12 @@
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_TRAJECTORY_TREE_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_TRAJECTORY_TREE_H_
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
 #include "backend/se2.h"
+#include "frontend/particle_filter/path_correction.h"
 
 namespace gmapping_spa::particle_filter {
 
@@ -16,23 +18,44 @@ class TrajectoryTree {
   using Index = std::int32_t;
   static constexpr Index kNone = -1;  // parent of a root
 
-  // Adds a pose after `parent` and returns its index.
-  Index Append(Index parent, const backend::SE2& world_T_robot);
+  // How a pose was reached from the one before, as it was measured then. Corrections do not touch
+  // it.
+  struct Motion {
+    backend::SE2 previous_T_robot;
+    Eigen::Matrix3d information = Eigen::Matrix3d::Identity();  // of backend::Edge
+    bool matched = false;  // whether the scan matcher succeeded; else by odometry alone
+  };
 
-  // Poses from the root to `leaf`.
-  std::vector<backend::SE2> Path(Index leaf) const;
+  struct Vertex {
+    backend::SE2 world_T_robot;
+    Motion motion;  // of a root: without meaning
+    Index parent = kNone;
+    int step = 0;  // number of ancestors
+  };
+
+  // Adds a root; returns its index, as Append does.
+  Index AddRoot(const backend::SE2& world_T_robot);
+  Index Append(Index parent, const backend::SE2& world_T_robot, const Motion& motion);
+
+  // From the root to `leaf`.
+  std::vector<Vertex> Path(Index leaf) const;
 
   // Forgets every pose that no leaf descends from, and renumbers `leaves` to match.
   void Prune(std::vector<Index>* leaves);
 
+  void SetPose(Index index, const backend::SE2& world_T_robot) {
+    vertices_.at(index).world_T_robot = world_T_robot;
+  }
+
+  // Moves the poses of all particles as `correction` says for their steps.
+  void Correct(const PathCorrection& correction);
+
+  // Parents before children.
+  const std::vector<Vertex>& vertices() const { return vertices_; }
   std::size_t size() const { return vertices_.size(); }
 
  private:
-  struct Vertex {
-    backend::SE2 world_T_robot;
-    Index parent = kNone;
-  };
-  std::vector<Vertex> vertices_;  // parents before children
+  std::vector<Vertex> vertices_;
 };
 
 }  // namespace gmapping_spa::particle_filter

@@ -18,6 +18,10 @@ sensor::LaserScan ScanAt(std::int64_t index, const SE2& odom_T_robot) {
   return scan;
 }
 
+void Add(int index, const SE2& odom_T_robot, double motion, bool is_update, ScanPoses* poses) {
+  poses->Add(ScanAt(index, odom_T_robot), odom_T_robot, motion, is_update);
+}
+
 void ExpectNear(const SE2& pose, const SE2& expected) {
   EXPECT_NEAR(pose.x, expected.x, 1e-9);
   EXPECT_NEAR(pose.y, expected.y, 1e-9);
@@ -28,7 +32,7 @@ TEST(ScanPoses, AreTheGivenOnesAtTheUpdates) {
   ScanPoses poses;
   std::vector<SE2> given;
   for (int i = 0; i < 30; ++i) {
-    poses.Add(ScanAt(i, {0.3 * i, 0.1 * i * i, 0.4 * i}), 1.0 + i % 3, i % 5 == 0);
+    Add(i, {0.3 * i, 0.1 * i * i, 0.4 * i}, 1.0 + i % 3, i % 5 == 0, &poses);
     if (i % 5 == 0) given.push_back({-0.2 * i, 1.0 + i, -0.7 * i});
   }
   const backend::Trajectory trajectory = poses.Fill(given);
@@ -44,11 +48,11 @@ TEST(ScanPoses, SpreadTheCorrectionInProportionToTheMotion) {
   // the robot 0.4 m to the left, 0.2 m short and turned by 0.1.
   const SE2 odom_T_world{10, 20, 1.0};
   ScanPoses poses;
-  poses.Add(ScanAt(0, odom_T_world), 0.0, true);
-  poses.Add(ScanAt(1, odom_T_world * SE2{1, 0, 0}), 1.0, false);
-  poses.Add(ScanAt(2, odom_T_world * SE2{1, 0, 0}), 0.0, false);
-  poses.Add(ScanAt(3, odom_T_world * SE2{3, 0, 0}), 2.0, false);
-  poses.Add(ScanAt(4, odom_T_world * SE2{4, 0, 0}), 1.0, true);
+  Add(0, odom_T_world, 0.0, true, &poses);
+  Add(1, odom_T_world * SE2{1, 0, 0}, 1.0, false, &poses);
+  Add(2, odom_T_world * SE2{1, 0, 0}, 0.0, false, &poses);
+  Add(3, odom_T_world * SE2{3, 0, 0}, 2.0, false, &poses);
+  Add(4, odom_T_world * SE2{4, 0, 0}, 1.0, true, &poses);
   const backend::Trajectory trajectory = poses.Fill({{0, 0, 0}, {3.8, 0.4, 0.1}});
   ASSERT_EQ(trajectory.size(), 5u);
   ExpectNear(trajectory[0].world_T_robot, {0, 0, 0});
@@ -60,9 +64,9 @@ TEST(ScanPoses, SpreadTheCorrectionInProportionToTheMotion) {
 
 TEST(ScanPoses, SpreadTheTurnTheShortWayRound) {
   ScanPoses poses;
-  poses.Add(ScanAt(0, {0, 0, 3.0}), 0.0, true);
-  poses.Add(ScanAt(1, {0, 0, 3.1}), 1.0, false);
-  poses.Add(ScanAt(2, {0, 0, 3.1}), 1.0, true);
+  Add(0, {0, 0, 3.0}, 0.0, true, &poses);
+  Add(1, {0, 0, 3.1}, 1.0, false, &poses);
+  Add(2, {0, 0, 3.1}, 1.0, true, &poses);
   // Predicted 3.1, found 0.1 beyond pi.
   const double found = backend::WrapAngle(3.3);
   const backend::Trajectory trajectory = poses.Fill({{0, 0, 3.0}, {0, 0, found}});
@@ -71,9 +75,9 @@ TEST(ScanPoses, SpreadTheTurnTheShortWayRound) {
 
 TEST(ScanPoses, FollowTheOdometryAfterTheLastUpdate) {
   ScanPoses poses;
-  poses.Add(ScanAt(0, {5, 5, 0}), 0.0, true);
-  poses.Add(ScanAt(1, {6, 5, 0}), 1.0, false);
-  poses.Add(ScanAt(2, {7, 5, 0.5}), 1.0, false);
+  Add(0, {5, 5, 0}, 0.0, true, &poses);
+  Add(1, {6, 5, 0}, 1.0, false, &poses);
+  Add(2, {7, 5, 0.5}, 1.0, false, &poses);
   const double quarter = std::acos(0.0);
   const backend::Trajectory trajectory = poses.Fill({{0, 0, quarter}});
   ExpectNear(trajectory[1].world_T_robot, {0, 1, quarter});
@@ -82,8 +86,7 @@ TEST(ScanPoses, FollowTheOdometryAfterTheLastUpdate) {
 
 TEST(ScanPoses, ComeInTheOrderOfTheInput) {
   ScanPoses poses;
-  for (const int index : {2, 0, 3, 1})
-    poses.Add(ScanAt(index, {1.0 * index, 0, 0}), 1.0, index == 2);
+  for (const int index : {2, 0, 3, 1}) Add(index, {1.0 * index, 0, 0}, 1.0, index == 2, &poses);
   const backend::Trajectory trajectory = poses.Fill({{2, 0, 0}});
   ASSERT_EQ(trajectory.size(), 4u);
   for (int i = 0; i < 4; ++i) {
@@ -94,7 +97,7 @@ TEST(ScanPoses, ComeInTheOrderOfTheInput) {
 
 TEST(ScanPoses, AreFiniteWithoutAnyMotion) {
   ScanPoses poses;
-  for (int i = 0; i < 5; ++i) poses.Add(ScanAt(i, {1, 2, 3}), 0.0, i % 2 == 0);
+  for (int i = 0; i < 5; ++i) Add(i, {1, 2, 3}, 0.0, i % 2 == 0, &poses);
   const backend::Trajectory trajectory = poses.Fill({{0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}});
   ASSERT_EQ(trajectory.size(), 5u);
   for (int i = 0; i < 5; ++i) {
@@ -104,8 +107,8 @@ TEST(ScanPoses, AreFiniteWithoutAnyMotion) {
 
 TEST(ScanPosesDeathTest, EveryUpdateNeedsItsPose) {
   ScanPoses poses;
-  poses.Add(ScanAt(0, {}), 0.0, true);
-  poses.Add(ScanAt(1, {}), 0.0, false);
+  Add(0, {}, 0.0, true, &poses);
+  Add(1, {}, 0.0, false, &poses);
   EXPECT_DEATH(poses.Fill({}), "");
   EXPECT_DEATH(poses.Fill({{}, {}}), "");
 }

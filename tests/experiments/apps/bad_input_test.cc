@@ -120,6 +120,17 @@ TEST_F(BadInput, RangesThatAreNoNumbersOnlyCostTheirBeam) {
   }
 }
 
+TEST_F(BadInput, OdometryThatJumpsOffTheMapIsOneLine) {
+  for (const char* pose : {"20000 0 0", "100000 50000 0", "-900000 0 0"}) {
+    const std::string log = folder_.FileWith("jump.clf", WithGoodScans(Scan("2.5", pose)));
+    for (const char* odometry : {"--odometry=wheel", "--odometry=scan_matched"}) {
+      std::vector<std::string> flags = LogFlags(log);
+      flags.emplace_back(odometry);
+      ExpectOneLine(Run(GMAPPING_SPA, flags), "scan 2: the odometry leads out of the area");
+    }
+  }
+}
+
 TEST_F(BadInput, PathsThatCannotBeUsedAreOneLine) {
   ExpectOneLine(Run(GMAPPING_SPA, {"--log=" + folder_.Path("none")}), folder_.Path("none"));
   ExpectOneLine(Run(GMAPPING_SPA, {"--log=" + folder_.path()}), "found a directory");
@@ -147,7 +158,24 @@ TEST_P(BadFlag, IsOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     GmappingSpa, BadFlag,
     ::testing::Values(Case{"Unknown", "--nope=1", "nope"}, Case{"Word", "more", "'more'"},
-                      Case{"Backend", "--backend=foo", "foo"},
+                      Case{"Backend", "--backend=foo", "no back end 'foo'"},
+                      Case{"BackendPath", "--backend=/none/here.so", "/none/here.so"},
+                      Case{"Odometry", "--odometry=feet", "'feet'"},
+                      Case{"ScanMatcher", "--scan_matcher=eye", "'eye'"},
+                      Case{"EdgeMeasurement", "--edge_measurement=none", "--edge_measurement"},
+                      Case{"EdgeInformation", "--edge_information=none", "--edge_information"},
+                      Case{"Correction", "--correction=nonsense",
+                           "--correction: expected one of pose, trajectory, found 'nonsense'"},
+                      Case{"GraphThread", "--graph_thread=later", "lockstep, async, inline"},
+                      Case{"NoLockstepScans", "--lockstep_scans=0", "--lockstep_scans"},
+                      Case{"NegativeTimeout", "--graph_timeout_s=-1", "--graph_timeout_s"},
+                      Case{"NanTimeout", "--graph_timeout_s=nan", "--graph_timeout_s"},
+                      Case{"OptimizeNever", "--optimize_every=0", "--optimize_every"},
+                      Case{"NegativeRefine", "--refine=-1", "--refine"},
+                      Case{"ClosureScore", "--closure_min_score=0", "--closure_min_score"},
+                      Case{"NanDrift", "--closure_drift_m_per_m=nan", "--closure_drift_m_per_m"},
+                      Case{"Loss", "--loss=hubert", "expected a loss out of"},
+                      Case{"BackendSettings", "--backend_settings=x", "--backend_settings"},
                       Case{"NoParticles", "--particles=0", "particles"},
                       Case{"NegativeParticles", "--particles=-3", "found -3"},
                       Case{"HugeParticles", "--particles=2000000000", "found 2000000000"},
@@ -163,13 +191,18 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"WordForFov", "--fov_deg=abc", "--fov_deg=abc"},
                       Case{"NanFov", "--fov_deg=nan", "--fov_deg=nan"},
                       Case{"BadRecordPolicy", "--bad_record=maybe", "maybe"},
-                      Case{"Halvings", "--match_halvings=100000", "--match_halvings"},
                       Case{"Guesses", "--initial_guesses=2000000000", "--initial_guesses"},
                       Case{"NanUsableRange", "--usable_range_m=nan", "--usable_range_m"},
                       Case{"NanOccupiedThreshold", "--occupied_threshold=nan",
                            "--occupied_threshold"},
                       Case{"MissingFlagFile", "--flagfile=/none/here", "/none/here"}),
     NameOf);
+
+TEST_F(BadInput, TooManyHalvingsOfHillClimbingAreOneLine) {
+  ExpectOneLine(Run(GMAPPING_SPA, {"--log=" + good_log_, "--scan_matcher=hill_climbing",
+                                   "--match_halvings=100000"}),
+                "--match_halvings");
+}
 
 class BadSimulateFlag : public BadInput, public ::testing::WithParamInterface<Case> {};
 

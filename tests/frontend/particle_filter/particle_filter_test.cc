@@ -8,74 +8,13 @@
 #include <vector>
 
 #include "frontend/scan_matching/hill_climbing.h"
+#include "tests/frontend/particle_filter/tour.h"
 #include "tests/frontend/synthetic_room.h"
 
 namespace gmapping_spa::particle_filter {
 namespace {
 
 using backend::SE2;
-
-// Once around the room, half a metre or so at a time; starts at the origin.
-std::vector<SE2> Drive() {
-  std::vector<SE2> world_T_robot = {{}};
-  for (int i = 0; i < 20; ++i) {
-    world_T_robot.push_back(world_T_robot.back() * SE2{0.4, 0.02, 2.0 * std::acos(-1.0) / 20});
-  }
-  return world_T_robot;
-}
-
-// What the odometry claims: too short, and turning too little.
-SE2 MeasuredIncrement(const SE2& from, const SE2& to) {
-  const SE2 increment = Between(from, to);
-  return {0.95 * increment.x, increment.y, 0.97 * increment.theta};
-}
-
-struct Tour {
-  explicit Tour(const ParticleFilter::Options& options)
-      : filter(options, std::make_shared<scan_matching::HillClimbing>(
-                            scan_matching::HillClimbing::Options{}, options.endpoint)) {
-    const std::vector<SE2> truth = Drive();
-    filter.Start(synthetic::Scan(synthetic::Room(), truth[0]), truth[0]);
-    for (std::size_t i = 1; i < truth.size(); ++i) {
-      updates.push_back(filter.Advance(synthetic::Scan(synthetic::Room(), truth[i]),
-                                       MeasuredIncrement(truth[i - 1], truth[i])));
-    }
-  }
-  ParticleFilter filter;
-  std::vector<ParticleFilter::Update> updates;
-};
-
-ParticleFilter::Options Particles(int particles, int threads = 1, std::uint64_t seed = 1) {
-  ParticleFilter::Options options;
-  options.particles = particles;
-  options.threads = threads;
-  options.seed = seed;
-  options.initial_guesses = 5;
-  options.resample_threshold = 0.9;  // so that it happens
-  return options;
-}
-
-bool SameMap(const map::OccupancyGrid& a, const map::OccupancyGrid& b) {
-  const map::OccupancyGrid::Extent extent = a.KnownExtent();
-  if (!(extent.min == b.KnownExtent().min && extent.max == b.KnownExtent().max)) return false;
-  for (int y = extent.min.y; y < extent.max.y; ++y) {
-    for (int x = extent.min.x; x < extent.max.x; ++x) {
-      const map::Cell &u = a.cell({x, y}), &v = b.cell({x, y});
-      if (u.hits != v.hits || u.visits != v.visits) return false;
-      if (u.mean_x != v.mean_x || u.mean_y != v.mean_y) return false;
-    }
-  }
-  return true;
-}
-
-bool SamePoses(const ParticleFilter& a, const ParticleFilter& b) {
-  for (std::size_t i = 0; i < a.particles().size(); ++i) {
-    if (a.Path(static_cast<int>(i)) != b.Path(static_cast<int>(i))) return false;
-    if (a.particles()[i].log_weight != b.particles()[i].log_weight) return false;
-    if (a.particles()[i].log_likelihood != b.particles()[i].log_likelihood) return false;
-  }
-  return true;
-}
 
 TEST(ParticleFilter, ResultIsTheSameToTheBitWhateverTheNumberOfThreads) {
   const Tour one(Particles(6, 1));
@@ -100,18 +39,48 @@ TEST(ParticleFilter, ResultDependsOnTheSeedAndNothingElse) {
 TEST(ParticleFilter, PathHasAPoseForTheStartAndForEveryUpdate) {
   const Tour run(Particles(4));
   for (int i = 0; i < 4; ++i) {
-    const std::vector<SE2> path = run.filter.Path(i);
+    const std::vector<SE2> path = PosesOf(run.filter.Path(i));
     ASSERT_EQ(path.size(), run.updates.size() + 1);
     EXPECT_TRUE((path.front() == SE2{}));
     EXPECT_TRUE(path.back() == run.filter.particles()[i].world_T_robot);
   }
 }
 
+TEST(ParticleFilter, MotionsLeadAlongThePath) {
+  const Tour run(Particles(4));
+  for (int i = 0; i < 4; ++i) {
+    const std::vector<TrajectoryTree::Vertex> path = run.filter.Path(i);
+    EXPECT_TRUE(path.back().motion.previous_T_robot ==
+                run.filter.particles()[i].motion.previous_T_robot);
+    for (std::size_t k = 1; k < path.size(); ++k) {
+      EXPECT_EQ(path[k].step, static_cast<int>(k));
+      EXPECT_TRUE(path[k].motion.matched);
+      const SE2 expected = Between(path[k - 1].world_T_robot, path[k].world_T_robot);
+      EXPECT_TRUE(path[k].motion.previous_T_robot == expected) << k;
+    }
+  }
+}
+
+TEST(ParticleFilter, MotionsAreTheControlInputsIfAskedFor) {
+  ParticleFilter::Options options = Particles(4);
+  options.edges.measurement = EdgeModel::Measurement::kControl;
+  const Tour run(options);
+  const std::vector<SE2> truth = Drive();
+  for (int i = 0; i < 4; ++i) {
+    const std::vector<TrajectoryTree::Vertex> path = run.filter.Path(i);
+    for (std::size_t k = 1; k < path.size(); ++k) {
+      const SE2 control = MeasuredIncrement(truth[k - 1], truth[k]);
+      EXPECT_TRUE(path[k].motion.previous_T_robot == control) << k;
+    }
+  }
+  EXPECT_TRUE(SamePoses(run.filter, Tour(Particles(4)).filter));  // the filter itself does not care
+}
+
 TEST(ParticleFilter, TracksARobotInARoomWithFiveParticles) {
   const std::vector<SE2> truth = Drive();
   for (const std::uint64_t seed : {1, 2, 3}) {
     const Tour run(Particles(5, 1, seed));
-    const std::vector<SE2> path = run.filter.Path(run.filter.BestParticle());
+    const std::vector<SE2> path = PosesOf(run.filter.Path(run.filter.BestParticle()));
     double worst_m = 0.0, worst_rad = 0.0;
     SE2 dead_reckoning;
     for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -175,12 +144,13 @@ TEST_F(OneStep, FailedMatchFallsBackToTheMotionModel) {
   const ParticleFilter::Update update = filter_->Advance(blind, {1.0, 0.0, 0.0});
   EXPECT_EQ(update.failed_matches, 8);
   EXPECT_NEAR(update.effective_sample_size, 8.0, 1e-9);
-  const Eigen::Matrix3d covariance = MotionModel({}).Covariance({}, {1, 0, 0});
+  const Eigen::Vector3d sigmas = MotionModel({}).Sigmas({1, 0, 0});
+  const Eigen::Matrix3d information = sigmas.array().square().inverse().matrix().asDiagonal();
   for (const Particle& particle : filter_->particles()) {
-    EXPECT_FALSE(particle.step.matched);
-    EXPECT_TRUE(particle.step.world_covariance == covariance);
-    EXPECT_TRUE((particle.step.world_T_previous == SE2{}));
-    EXPECT_LT(std::abs(particle.world_T_robot.x - 1.0), 4.0 * std::sqrt(covariance(0, 0)));
+    EXPECT_FALSE(particle.motion.matched);
+    EXPECT_TRUE(particle.motion.information.isApprox(information, 1e-9));
+    EXPECT_TRUE(particle.motion.previous_T_robot == particle.world_T_robot);  // from the origin
+    EXPECT_LT(std::abs(particle.world_T_robot.x - 1.0), 4.0 * sigmas.x());
   }
   EXPECT_FALSE(filter_->particles()[0].world_T_robot == filter_->particles()[1].world_T_robot);
 }

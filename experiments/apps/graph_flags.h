@@ -1,0 +1,14 @@
+// Flags of the pose graph: its edges, loop closures, graph thread, correction, final round.
+#ifndef GMAPPING_SPA_EXPERIMENTS_APPS_GRAPH_FLAGS_H_
+#define GMAPPING_SPA_EXPERIMENTS_APPS_GRAPH_FLAGS_H_
+
+#include "frontend/improved_gmapping.h"
+
+namespace gmapping_spa::apps {
+
+// Sets what the flags say. Throws std::runtime_error with one line when a flag makes no sense.
+void AddGraphOptions(frontend::ImprovedGmapping::Options* options);
+
+}  // namespace gmapping_spa::apps
+
+#endif  // GMAPPING_SPA_EXPERIMENTS_APPS_GRAPH_FLAGS_H_

@@ -1,0 +1,19 @@
+// What SLAM is after.
+#ifndef GMAPPING_SPA_FRONTEND_ESTIMATE_H_
+#define GMAPPING_SPA_FRONTEND_ESTIMATE_H_
+
+#include "backend/pose_graph.h"
+#include "backend/trajectory_io.h"
+#include "frontend/map/occupancy_grid.h"
+
+namespace gmapping_spa::frontend {
+
+struct Estimate {
+  backend::PoseGraph graph;        // a node for every update of the filter
+  backend::Trajectory trajectory;  // poses of all scans in the order of the input
+  map::OccupancyGrid map;
+};
+
+}  // namespace gmapping_spa::frontend
+
+#endif  // GMAPPING_SPA_FRONTEND_ESTIMATE_H_

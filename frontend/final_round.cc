@@ -1,0 +1,94 @@
+#include "frontend/final_round.h"
+
+#include <cmath>
+#include <utility>
+
+#include "frontend/scan_matching/scan_points.h"
+
+namespace gmapping_spa::frontend {
+
+using backend::SE2;
+
+FinalRound::FinalRound(const Options& options, Run run)
+    : options_(options), run_(std::move(run)), matcher_(options.gauss_newton, {}) {}
+
+Estimate FinalRound::Finish(backend::PoseGraph path) {
+  backend::PoseGraph graph = path;
+  Optimize(path, &graph);
+  const auto scan_of_node = [this](int node) { return ScanOfNode(node); };
+  for (int round = 0; run_.loop_closer && round < options_.closing_rounds; ++round) {
+    if (run_.loop_closer->UpdateAll(backend::PosesOf(graph), scan_of_node) == 0) break;
+    Optimize(path, &graph);
+  }
+
+  backend::Trajectory trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
+  for (int round = 0; round < options_.refine; ++round) {
+    if (round > 0) {
+      MeasureAnew(trajectory, &path);
+      Optimize(path, &graph);
+      trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
+    }
+    RefineScans(&trajectory);
+  }
+  for (std::size_t node = 0; node < graph.nodes.size(); ++node) {
+    graph.nodes[node].world_T_node =
+        trajectory[ScanOfNode(static_cast<int>(node)).index].world_T_robot;
+  }
+
+  map::OccupancyGrid map(run_.grid);
+  for (int k = 0; k < run_.scans->size(); ++k) Register(run_.scans->Get(k), trajectory, &map);
+  return {std::move(graph), std::move(trajectory), std::move(map)};
+}
+
+// Optimizes the path with all closures, from the poses that `graph` has. They stay when the back
+// end fails.
+void FinalRound::Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const {
+  graph->edges = path.edges;
+  if (run_.loop_closer) {
+    const std::vector<backend::Edge>& closures = run_.loop_closer->closures();
+    graph->edges.insert(graph->edges.end(), closures.begin(), closures.end());
+  }
+  if (std::optional<backend::PoseGraph> optimized = run_.optimize(*graph)) *graph = *optimized;
+}
+
+// Aligns every scan with the map that the nodes' scans make: for the scans in between, a map made
+// of all others. That map is sharper than one of all scans, and made in a tenth of the time.
+void FinalRound::RefineScans(backend::Trajectory* trajectory) const {
+  const double m = options_.unrefined_sigma_m, rad = options_.unrefined_sigma_rad;
+  const Eigen::Matrix3d prior = Eigen::Array3d(m, m, rad).square().inverse().matrix().asDiagonal();
+  map::OccupancyGrid map(run_.grid);
+  for (const int position : *run_.node_scans)
+    Register(run_.scans->Get(position), *trajectory, &map);
+  for (int k = 0; k < run_.scans->size(); ++k) {
+    const sensor::LaserScan scan = run_.scans->Get(k);
+    const scan_matching::ScanPoints points = scan_matching::MakeScanPoints(scan);
+    SE2& pose = (*trajectory)[scan.index].world_T_robot;
+    const scan_matching::GaussNewton::Alignment aligned = matcher_.Align(map, points, pose, prior);
+    const SE2 shift = Between(pose, aligned.world_T_robot);
+    if (aligned.inliers >= options_.min_inliers * static_cast<double>(points.size()) &&
+        shift.translation().norm() <= options_.max_shift_m &&
+        std::abs(shift.theta) <= options_.max_shift_rad) {
+      pose = aligned.world_T_robot;
+    }
+  }
+}
+
+// Replaces what the edges of the path measure by what the refined scans say.
+void FinalRound::MeasureAnew(const backend::Trajectory& trajectory,
+                             backend::PoseGraph* path) const {
+  const double m = options_.refined_sigma_m, rad = options_.refined_sigma_rad;
+  for (backend::Edge& edge : path->edges) {
+    const auto pose = [&](std::int64_t node) {
+      return trajectory[ScanOfNode(static_cast<int>(node)).index].world_T_robot;
+    };
+    edge.i_T_j = Between(pose(edge.i), pose(edge.j));
+    edge.information = Eigen::Array3d(m, m, rad).square().inverse().matrix().asDiagonal();
+  }
+}
+
+void FinalRound::Register(const sensor::LaserScan& scan, const backend::Trajectory& trajectory,
+                          map::OccupancyGrid* map) const {
+  map::RegisterScan(scan, trajectory[scan.index].world_T_robot, run_.registration, map);
+}
+
+}  // namespace gmapping_spa::frontend

@@ -1,0 +1,71 @@
+// The final estimate, when all scans are in.
+#ifndef GMAPPING_SPA_FRONTEND_FINAL_ROUND_H_
+#define GMAPPING_SPA_FRONTEND_FINAL_ROUND_H_
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "backend/pose_graph.h"
+#include "frontend/estimate.h"
+#include "frontend/loop_closure/loop_closer.h"
+#include "frontend/map/occupancy_grid.h"
+#include "frontend/map/scan_registration.h"
+#include "frontend/scan_matching/gauss_newton.h"
+#include "frontend/scan_poses.h"
+#include "frontend/sensor/scan_archive.h"
+
+namespace gmapping_spa::frontend {
+
+class FinalRound {
+ public:
+  struct Options {
+    int closing_rounds = 2;  // of looking for closures everywhere, given what the last one found
+    int refine = 1;          // rounds; 0: none
+    // A scan of which fewer beams fit, or that would move farther, stays where it is.
+    double min_inliers = 0.5;
+    double max_shift_m = 0.15;
+    double max_shift_rad = 0.03;
+    // Of the poses before they are refined: keeps them in place along a corridor.
+    double unrefined_sigma_m = 0.05;
+    double unrefined_sigma_rad = 0.01;
+    // Of what refined scans say about the motion between nodes.
+    double refined_sigma_m = 0.02;
+    double refined_sigma_rad = 0.003;
+    scan_matching::GaussNewton::Options gauss_newton;
+  };
+
+  // Everything that a run has gathered; all must outlive the FinalRound.
+  struct Run {
+    const sensor::ScanArchive* scans;
+    const std::vector<int>* node_scans;  // positions of the nodes' scans in the archive
+    const ScanPoses* scan_poses;
+    map::OccupancyGrid::Options grid;
+    map::RegistrationOptions registration;
+    loop_closure::LoopCloser* loop_closer;  // null: no closures
+    // The back end: nothing when it fails.
+    std::function<std::optional<backend::PoseGraph>(const backend::PoseGraph&)> optimize;
+  };
+
+  FinalRound(const Options& options, Run run);
+
+  // Closes loops everywhere, optimizes, refines, and makes the map from all scans. `path` is the
+  // graph without closures.
+  Estimate Finish(backend::PoseGraph path);
+
+ private:
+  void Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
+  void RefineScans(backend::Trajectory* trajectory) const;
+  void MeasureAnew(const backend::Trajectory& trajectory, backend::PoseGraph* path) const;
+  sensor::LaserScan ScanOfNode(int node) const { return run_.scans->Get((*run_.node_scans)[node]); }
+  void Register(const sensor::LaserScan& scan, const backend::Trajectory& trajectory,
+                map::OccupancyGrid* map) const;
+
+  Options options_;
+  Run run_;
+  scan_matching::GaussNewton matcher_;
+};
+
+}  // namespace gmapping_spa::frontend
+
+#endif  // GMAPPING_SPA_FRONTEND_FINAL_ROUND_H_

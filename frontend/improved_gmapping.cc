@@ -1,0 +1,160 @@
+#include "frontend/improved_gmapping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gmapping_spa::frontend {
+
+using backend::SE2;
+using particle_filter::ParticleFilter;
+using particle_filter::TrajectoryTree;
+
+ImprovedGmapping::ImprovedGmapping(const Options& options,
+                                   std::shared_ptr<const scan_matching::ScanMatcher> matcher,
+                                   backend::OptimizationThread::OptimizeFunction optimize)
+    : options_(options),
+      filter_(options.filter, std::move(matcher)),
+      scan_odometry_(options.scan_odometry),
+      loop_closer_(options.loop_closer),
+      graph_thread_(options.graph_thread, std::move(optimize)),
+      area_(options.filter.grid.resolution_m) {}
+
+void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
+  // Step 1: the control input.
+  const SE2 u = ControlInput(scan);
+  odom_T_scan_ = odom_T_scan_ * u;
+  archive_.Add(scan);
+  ++counts_.scans;
+
+  // Steps 4' and 6: what the graph thread has found out corrects the particles.
+  if (const auto optimized = graph_thread_.Advance()) TakeOver(*optimized);
+
+  const bool is_update = UpdateIsDue(u);
+  // In units of what triggers an update; the 1e-9 spreads by number of scans if nothing moved.
+  const double motion = u.translation().norm() / std::max(options_.linear_update_m, 1e-3) +
+                        std::abs(u.theta) / std::max(options_.angular_update_rad, 1e-3) + 1e-9;
+  scan_poses_.Add(scan, odom_T_scan_, motion, is_update);
+  if (!is_update) return;
+
+  // Steps 2 to 5 and 7 to 10: scan matching, sampling, weights, maps and resampling.
+  UpdateFilter(scan);
+
+  // Step 3': the pose graph with its closed-loop constraints goes to the graph thread.
+  if (options_.close_loops) CloseLoops();
+  StartOptimization();
+}
+
+// The motion since the scan before: by the wheels, or as the scans fit each other.
+SE2 ImprovedGmapping::ControlInput(const sensor::LaserScan& scan) {
+  const bool first = counts_.scans == 0;
+  const SE2 wheels = first ? SE2{} : Between(wheels_T_last_scan_, scan.odom_T_robot);
+  wheels_T_last_scan_ = scan.odom_T_robot;
+  area_.Extend(scan, odom_T_scan_ * wheels);
+  return options_.scan_matched_odometry ? scan_odometry_.Advance(scan, wheels) : wheels;
+}
+
+bool ImprovedGmapping::UpdateIsDue(const SE2& u) {
+  linear_since_update_m_ += u.translation().norm();
+  angular_since_update_rad_ += std::abs(u.theta);
+  return counts_.updates == 0 || linear_since_update_m_ >= options_.linear_update_m ||
+         angular_since_update_rad_ >= options_.angular_update_rad;
+}
+
+void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan) {
+  if (counts_.updates == 0) {
+    filter_.Start(scan, SE2{});
+  } else {
+    const SE2 u = Between(odom_T_last_update_, odom_T_scan_);
+    for (const particle_filter::Particle& particle : filter_.particles()) {
+      area_.Extend(scan, particle.world_T_robot * u);
+    }
+    const ParticleFilter::Update update = filter_.Advance(scan, u);
+    counts_.resamplings += update.resampled ? 1 : 0;
+    counts_.failed_matches += update.failed_matches;
+  }
+  node_scans_.push_back(archive_.size() - 1);
+  ++counts_.updates;
+  ++updates_since_optimization_;
+  odom_T_last_update_ = odom_T_scan_;
+  linear_since_update_m_ = 0.0;
+  angular_since_update_rad_ = 0.0;
+}
+
+void ImprovedGmapping::CloseLoops() {
+  const int closed = loop_closer_.Update(backend::PosesOf(PathOfBestParticle()),
+                                         [this](int node) { return ScanOfNode(node); });
+  if (closed > 0) closure_waits_ = true;
+}
+
+// Every so many poses, and at once after a closure.
+void ImprovedGmapping::StartOptimization() {
+  if (!closure_waits_ && updates_since_optimization_ < options_.optimize_every) return;
+  if (graph_thread_.busy()) return;
+  updates_since_optimization_ = 0;
+  closure_waits_ = false;
+  backend::PoseGraph graph = PathOfBestParticle();
+  const std::vector<backend::Edge>& closures = loop_closer_.closures();
+  graph.edges.insert(graph.edges.end(), closures.begin(), closures.end());
+  world_T_nodes_before_ = backend::PosesOf(graph);
+  graph_thread_.Start(std::move(graph));
+}
+
+// Eq. (14). Poses that came in since the optimization started move with its last one.
+void ImprovedGmapping::TakeOver(const backend::PoseGraph& optimized) {
+  const particle_filter::PathCorrection correction{world_T_nodes_before_,
+                                                   backend::PosesOf(optimized)};
+  if (correction.after == correction.before) return;
+  ++counts_.corrections;
+  if (options_.correction == Correction::kPose) {
+    filter_.CorrectCurrentPoses(correction);
+  } else {
+    filter_.CorrectHistories(correction, [this](int node) { return ScanOfNode(node); });
+  }
+}
+
+backend::PoseGraph ImprovedGmapping::PathOfBestParticle() const {
+  backend::PoseGraph graph;
+  for (const TrajectoryTree::Vertex& vertex : filter_.Path(filter_.BestParticle())) {
+    graph.nodes.push_back({.id = vertex.step,
+                           .stamp_s = archive_.StampOf(node_scans_[vertex.step]),
+                           .world_T_node = vertex.world_T_robot});
+    if (vertex.step == 0) continue;
+    graph.edges.push_back({.i = vertex.step - 1,
+                           .j = vertex.step,
+                           .i_T_j = vertex.motion.previous_T_robot,
+                           .information = vertex.motion.information,
+                           .kind = vertex.motion.matched ? backend::EdgeKind::kScanMatch
+                                                         : backend::EdgeKind::kOdometry});
+  }
+  return graph;
+}
+
+const particle_filter::Particle& ImprovedGmapping::BestParticle() const {
+  return filter_.particles()[filter_.BestParticle()];
+}
+
+Estimate ImprovedGmapping::CurrentEstimate() const {
+  backend::PoseGraph graph = PathOfBestParticle();
+  backend::Trajectory trajectory = scan_poses_.Fill(backend::PosesOf(graph));
+  const std::vector<backend::Edge>& closures = loop_closer_.closures();
+  graph.edges.insert(graph.edges.end(), closures.begin(), closures.end());
+  return {std::move(graph), std::move(trajectory), BestParticle().map};
+}
+
+Estimate ImprovedGmapping::Finish() {
+  if (const auto optimized = graph_thread_.Finish()) TakeOver(*optimized);
+  if (!options_.make_final_round) return CurrentEstimate();
+  FinalRound final_round(
+      options_.final_round,
+      {.scans = &archive_,
+       .node_scans = &node_scans_,
+       .scan_poses = &scan_poses_,
+       .grid = options_.filter.grid,
+       .registration = options_.filter.registration,
+       .loop_closer = options_.close_loops ? &loop_closer_ : nullptr,
+       .optimize = [this](const backend::PoseGraph& graph) { return graph_thread_.Run(graph); }});
+  return final_round.Finish(PathOfBestParticle());
+}
+
+}  // namespace gmapping_spa::frontend

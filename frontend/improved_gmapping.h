@@ -1,0 +1,120 @@
+// Improved GMapping: from laser scans to a trajectory, a map and a pose graph.
+#ifndef GMAPPING_SPA_FRONTEND_IMPROVED_GMAPPING_H_
+#define GMAPPING_SPA_FRONTEND_IMPROVED_GMAPPING_H_
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "backend/optimization_thread.h"
+#include "backend/pose_graph.h"
+#include "frontend/estimate.h"
+#include "frontend/final_round.h"
+#include "frontend/graph_thread.h"
+#include "frontend/loop_closure/loop_closer.h"
+#include "frontend/map_area.h"
+#include "frontend/particle_filter/particle_filter.h"
+#include "frontend/scan_matching/scan_matcher.h"
+#include "frontend/scan_odometry.h"
+#include "frontend/scan_poses.h"
+#include "frontend/sensor/laser_scan.h"
+#include "frontend/sensor/scan_archive.h"
+
+namespace gmapping_spa::frontend {
+
+// A Rao-Blackwellized particle filter whose best particle's path is a pose graph: a back end
+// optimizes it in a thread of its own, and the correction flows back into the particles (Tao et al.
+// 2021). With a back end that does nothing it is GMapping (Grisetti, Stachniss, Burgard 2007).
+//
+// Takes scans one by one, in the order of time. The world frame is the robot's pose at the first
+// scan.
+class ImprovedGmapping {
+ public:
+  enum class Correction : std::uint8_t {
+    kPose,       // of each particle's current pose: eq. (14) as the paper writes it
+    kTrajectory  // of each particle's whole history, and its map
+  };
+
+  struct Options {
+    // The filter is updated when the robot has moved this far since the last update. Zero updates
+    // with every scan.
+    double linear_update_m = 1.0;
+    double angular_update_rad = 0.5;
+    particle_filter::ParticleFilter::Options filter;
+    // The filter's control input: every scan matched with the last ones, or the wheels' odometry.
+    bool scan_matched_odometry = true;
+    ScanOdometry::Options scan_odometry;
+    bool close_loops = true;
+    loop_closure::LoopCloser::Options loop_closer;
+    // The back end runs each time that this many new poses came in, and after a loop closure.
+    int optimize_every = 20;
+    GraphThread::Options graph_thread;
+    Correction correction = Correction::kTrajectory;
+    // Without it the result is what the best particle knows.
+    bool make_final_round = true;
+    FinalRound::Options final_round;
+  };
+
+  struct Counts {
+    std::int64_t scans = 0;
+    std::int64_t updates = 0;
+    std::int64_t resamplings = 0;
+    std::int64_t failed_matches = 0;  // summed over particles
+    std::int64_t corrections = 0;
+  };
+
+  // `optimize` is the back end; it is called in a thread of its own.
+  ImprovedGmapping(const Options& options,
+                   std::shared_ptr<const scan_matching::ScanMatcher> matcher,
+                   backend::OptimizationThread::OptimizeFunction optimize);
+
+  // Throws std::runtime_error when the odometry leads out of the area that a map can cover.
+  void AddScan(const sensor::LaserScan& scan);
+
+  // What the best particle knows so far. Needs at least one scan.
+  Estimate CurrentEstimate() const;
+
+  // After the last scan: waits for the back end and makes the final round. Needs at least one scan.
+  Estimate Finish();
+
+  const Counts& counts() const { return counts_; }
+  const particle_filter::ParticleFilter& filter() const { return filter_; }
+  const GraphThread& graph_thread() const { return graph_thread_; }
+  const loop_closure::LoopCloser& loop_closer() const { return loop_closer_; }
+
+ private:
+  backend::SE2 ControlInput(const sensor::LaserScan& scan);
+  bool UpdateIsDue(const backend::SE2& u);
+  void TakeOver(const backend::PoseGraph& optimized);
+  void UpdateFilter(const sensor::LaserScan& scan);
+  void CloseLoops();
+  void StartOptimization();
+  backend::PoseGraph PathOfBestParticle() const;
+  const particle_filter::Particle& BestParticle() const;
+  sensor::LaserScan ScanOfNode(int node) const { return archive_.Get(node_scans_.at(node)); }
+
+  Options options_;
+  particle_filter::ParticleFilter filter_;
+  ScanOdometry scan_odometry_;
+  loop_closure::LoopCloser loop_closer_;
+  GraphThread graph_thread_;
+  MapArea area_;
+
+  sensor::ScanArchive archive_;
+  std::vector<int> node_scans_;  // positions of the nodes' scans in the archive
+  ScanPoses scan_poses_;
+
+  backend::SE2 wheels_T_last_scan_;  // raw odometry
+  backend::SE2 odom_T_scan_;         // the control inputs so far
+  backend::SE2 odom_T_last_update_;
+  double linear_since_update_m_ = 0.0;
+  double angular_since_update_rad_ = 0.0;
+  int updates_since_optimization_ = 0;
+  bool closure_waits_ = false;                      // for an optimization
+  std::vector<backend::SE2> world_T_nodes_before_;  // of the optimization that runs
+  Counts counts_;
+};
+
+}  // namespace gmapping_spa::frontend
+
+#endif  // GMAPPING_SPA_FRONTEND_IMPROVED_GMAPPING_H_

@@ -1,0 +1,43 @@
+// What became of a candidate for a loop closure, and why.
+#ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_CLOSURE_RECORD_H_
+#define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_CLOSURE_RECORD_H_
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "backend/se2.h"
+
+namespace gmapping_spa::loop_closure {
+
+// In the order in which they are tested.
+enum class Verdict : std::uint8_t {
+  kNoMatch,      // no pose in the window fits
+  kAmbiguous,    // another pose fits nearly as well
+  kUnstable,     // fine alignment leaves the peak of the search
+  kOverlap,      // the scans saw too little in common
+  kFit,          // what they saw in common does not look the same
+  kGate,         // farther off than the graph's uncertainty allows
+  kUnconfirmed,  // no second closure agrees (yet)
+  kAccepted
+};
+
+const char* VerdictName(Verdict verdict);
+
+struct ClosureRecord {
+  int old_node = 0;
+  int node = 0;
+  double way_m = 0.0;       // shortest between them in the graph
+  double distance_m = 0.0;  // between their poses as estimated then
+  double score = 0.0;       // of the correlative match, and of the best one elsewhere
+  double second_score = 0.0;
+  double overlap = 0.0;     // part of the end points in the known part of the old map
+  double fit = 0.0;         // part of those that the old map explains
+  double gate = 0.0;        // squared Mahalanobis distance from the pose expected
+  backend::SE2 old_T_node;  // measured
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of old_T_node, as of backend::Edge
+  Verdict verdict = Verdict::kNoMatch;
+};
+
+}  // namespace gmapping_spa::loop_closure
+
+#endif  // GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_CLOSURE_RECORD_H_

@@ -1,0 +1,61 @@
+// Closes loops: finds candidates, verifies them and believes those that agree with each other.
+#ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_LOOP_CLOSER_H_
+#define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_LOOP_CLOSER_H_
+
+#include <vector>
+
+#include "backend/pose_graph.h"
+#include "frontend/loop_closure/candidates.h"
+#include "frontend/loop_closure/closure_record.h"
+#include "frontend/loop_closure/drift.h"
+#include "frontend/loop_closure/local_map.h"
+#include "frontend/loop_closure/verification.h"
+
+namespace gmapping_spa::loop_closure {
+
+class LoopCloser {
+ public:
+  struct Options {
+    double attempt_every_m = 2.0;  // of driving
+    // Two closures confirm each other when the loop through both closes as well as the drift on the
+    // way lets expect, within so many standard deviations, and they are no farther apart.
+    double confirm_sigmas = 1.0;
+    double confirm_within_m = 20.0;
+    double confirm_beyond_m = 1.5;  // nearer ones see the same scans
+    DriftModel drift;
+    CandidateOptions candidates;
+    Verifier::Options verifier;
+  };
+
+  explicit LoopCloser(const Options& options);
+
+  // Looks for closures of the node that the path has left behind by the reach of the verifier's
+  // scans: at most one node a call. Returns the number of newly accepted closures.
+  int Update(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node);
+
+  // Looks for closures of all nodes, with what is known by now.
+  int UpdateAll(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node);
+
+  // The accepted ones, as edges of the graph.
+  const std::vector<backend::Edge>& closures() const { return closures_; }
+
+  // Of every candidate that was looked at.
+  const std::vector<ClosureRecord>& records() const { return records_; }
+
+ private:
+  int Attempt(const std::vector<backend::SE2>& world_T_nodes,
+              const std::vector<double>& ways_driven, const ScanOfNode& scan_of_node, int node);
+  int Confirm(const std::vector<backend::SE2>& world_T_nodes,
+              const std::vector<double>& ways_driven, std::size_t newest);
+  void Accept(ClosureRecord* record);
+
+  Options options_;
+  Verifier verifier_;
+  std::vector<backend::Edge> closures_;
+  std::vector<ClosureRecord> records_;
+  double last_attempt_m_ = 0.0;
+};
+
+}  // namespace gmapping_spa::loop_closure
+
+#endif  // GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_LOOP_CLOSER_H_

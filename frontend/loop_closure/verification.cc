@@ -1,0 +1,133 @@
+#include "frontend/loop_closure/verification.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace gmapping_spa::loop_closure {
+
+using backend::SE2;
+
+namespace {
+
+std::vector<Eigen::Vector2d> Positions(const scan_matching::ScanPoints& points) {
+  std::vector<Eigen::Vector2d> positions;
+  positions.reserve(points.size());
+  for (const scan_matching::ScanPoint& point : points) positions.emplace_back(point.x_m, point.y_m);
+  return positions;
+}
+
+// Part of the points that end in cells of the map that some beam has met.
+double Overlap(const map::OccupancyGrid& map, const scan_matching::ScanPoints& points,
+               const SE2& map_T_scan) {
+  if (points.empty()) return 0.0;
+  const double cells_per_m = 1.0 / map.resolution_m();
+  const auto known = std::count_if(points.begin(), points.end(), [&](const auto& point) {
+    const Eigen::Vector2d at = map_T_scan * Eigen::Vector2d(point.x_m, point.y_m) * cells_per_m;
+    return map.cell({map::FloorToCell(at.x()), map::FloorToCell(at.y())}).visits > 0;
+  });
+  return static_cast<double>(known) / static_cast<double>(points.size());
+}
+
+// No local map is better than this, whatever the number of points.
+constexpr double kFloor_m = 0.01;
+constexpr double kFloor_rad = 0.002;
+
+// Within so small a window two nodes overlap by what the estimate says, more or less.
+constexpr double kSmallWindow_m = 2.5;
+
+Eigen::Matrix3d WithFloor(const Eigen::Matrix3d& information) {
+  const Eigen::Matrix3d floor =
+      Eigen::Array3d(kFloor_m, kFloor_m, kFloor_rad).square().matrix().asDiagonal();
+  const Eigen::Matrix3d regular = information + scan_matching::GaussNewton::WeakPrior();
+  const Eigen::Matrix3d floored = (regular.inverse() + floor).inverse();
+  return 0.5 * (floored + floored.transpose());
+}
+
+}  // namespace
+
+Verifier::Verifier(const Options& options, const DriftModel& drift,
+                   const CandidateOptions& candidates)
+    : options_(options),
+      drift_(drift),
+      candidates_(candidates),
+      matcher_(options.gauss_newton, {}) {}
+
+scan_matching::SearchWindow Verifier::WindowOf(const Candidate& candidate) const {
+  const double sigmas = candidates_.sigmas;
+  return {std::min(sigmas * drift_.LinearSigma(candidate.way_m), candidates_.max_drift_m),
+          std::min(sigmas * drift_.AngularSigma(candidate.way_m), options_.max_turn_rad)};
+}
+
+// A small window needs no high pyramid. The covariance is that of fine alignment, later.
+scan_matching::CorrelativeMatcher::Options Verifier::SearchOptions(
+    const scan_matching::SearchWindow& window) const {
+  scan_matching::CorrelativeMatcher::Options options = options_.search;
+  const double cells = 2.0 * window.linear_m / options.field.resolution_m;
+  const int levels = static_cast<int>(std::ceil(std::log2(std::max(cells, 2.0))));
+  options.pyramid_levels = std::min(levels, options.pyramid_levels);
+  options.second_floor = 0.9 * options_.max_second_score;
+  options.with_covariance = false;
+  return options;
+}
+
+ClosureRecord Verifier::Verify(const std::vector<SE2>& world_T_nodes,
+                               const ScanOfNode& scan_of_node, int node,
+                               const Candidate& candidate) const {
+  const int old = candidate.old_node;
+  const SE2 expected = Between(world_T_nodes[old], world_T_nodes[node]);
+  ClosureRecord record;
+  record.old_node = old;
+  record.node = node;
+  record.way_m = candidate.way_m;
+  record.distance_m = candidate.distance_m;
+  const auto decided = [&record](Verdict verdict) {
+    record.verdict = verdict;
+    return record;
+  };
+
+  const NodeRange old_nodes = NodesAround(world_T_nodes, old, options_.old_reach_m);
+  const NodeRange new_nodes = NodesAround(world_T_nodes, node, options_.new_reach_m);
+  const scan_matching::ScanPoints points =
+      JoinScans(world_T_nodes, scan_of_node, new_nodes, node, options_.cell_m);
+  const map::OccupancyGrid map =
+      BuildLocalMap(world_T_nodes, scan_of_node, old_nodes, old, options_.grid);
+  const scan_matching::SearchWindow window = WindowOf(candidate);
+  record.overlap = Overlap(map, points, expected);
+  if (window.linear_m <= kSmallWindow_m && record.overlap < options_.min_expected_overlap) {
+    return decided(Verdict::kOverlap);
+  }
+
+  const scan_matching::CorrelativeMatcher search(
+      SearchOptions(window),
+      Positions(JoinScans(world_T_nodes, scan_of_node, old_nodes, old, options_.cell_m)));
+  const scan_matching::CorrelativeMatch coarse = search.Match(Positions(points), expected, window);
+  if (!coarse.found) return decided(Verdict::kNoMatch);
+  record.score = coarse.score;
+  record.second_score = coarse.second_score;
+  record.old_T_node = coarse.map_T_scan;
+  if (coarse.second_score > options_.max_second_score * coarse.score) {
+    return decided(Verdict::kAmbiguous);
+  }
+
+  const scan_matching::GaussNewton::Alignment fine =
+      matcher_.Align(map, points, coarse.map_T_scan, scan_matching::GaussNewton::WeakPrior());
+  const SE2 shift = Between(coarse.map_T_scan, fine.world_T_robot);
+  record.old_T_node = fine.world_T_robot;
+  if (shift.translation().norm() > options_.max_shift_m ||
+      std::abs(shift.theta) > options_.max_shift_rad) {
+    return decided(Verdict::kUnstable);
+  }
+  record.information = WithFloor(options_.information_gain * fine.world_information);
+
+  record.overlap = Overlap(map, points, fine.world_T_robot);
+  const double known = record.overlap * static_cast<double>(points.size());
+  record.fit = known > 0.0 ? fine.inliers / known : 0.0;
+  record.gate = drift_.SquaredDistance(Between(expected, fine.world_T_robot), candidate.way_m);
+  if (record.overlap < options_.min_overlap) return decided(Verdict::kOverlap);
+  if (record.fit < options_.min_fit) return decided(Verdict::kFit);
+  if (record.gate > options_.max_gate) return decided(Verdict::kGate);
+  return decided(Verdict::kUnconfirmed);
+}
+
+}  // namespace gmapping_spa::loop_closure

@@ -1,0 +1,59 @@
+// Whether two nodes saw the same place, and how they lie to each other.
+#ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_VERIFICATION_H_
+#define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_VERIFICATION_H_
+
+#include <vector>
+
+#include "backend/se2.h"
+#include "frontend/loop_closure/candidates.h"
+#include "frontend/loop_closure/closure_record.h"
+#include "frontend/loop_closure/drift.h"
+#include "frontend/loop_closure/local_map.h"
+#include "frontend/scan_matching/correlative_matching.h"
+#include "frontend/scan_matching/gauss_newton.h"
+
+namespace gmapping_spa::loop_closure {
+
+// Compares what was seen on the way around the one node with a local map made on the way around the
+// other: single scans are too easily mistaken.
+class Verifier {
+ public:
+  struct Options {
+    double old_reach_m = 8.0;       // of driving to either side, for the local map
+    double new_reach_m = 5.0;       // likewise, for the scans that are matched with it
+    double cell_m = 0.1;            // at most one end point in each
+    double max_turn_rad = 0.4;      // the search goes no farther
+    double max_second_score = 0.9;  // part of the best score
+    double max_shift_m = 0.15;      // by which fine alignment may move the peak
+    double max_shift_rad = 0.05;
+    // At the pose expected, unless the window is large; and at the one found.
+    double min_expected_overlap = 0.4;
+    double min_overlap = 0.5;
+    double min_fit = 0.6;
+    double max_gate = 13.8;          // 99.9 % of a chi-square distribution of 2 degrees of freedom
+    double information_gain = 0.02;  // neighbouring points share the errors of the maps
+    map::OccupancyGrid::Options grid;
+    scan_matching::CorrelativeMatcher::Options search;
+    scan_matching::GaussNewton::Options gauss_newton;
+  };
+
+  Verifier(const Options& options, const DriftModel& drift, const CandidateOptions& candidates);
+
+  // A record with all but kUnconfirmed and kAccepted decided: kUnconfirmed is what passed.
+  ClosureRecord Verify(const std::vector<backend::SE2>& world_T_nodes,
+                       const ScanOfNode& scan_of_node, int node, const Candidate& candidate) const;
+
+ private:
+  scan_matching::SearchWindow WindowOf(const Candidate& candidate) const;
+  scan_matching::CorrelativeMatcher::Options SearchOptions(
+      const scan_matching::SearchWindow& window) const;
+
+  Options options_;
+  DriftModel drift_;
+  CandidateOptions candidates_;
+  scan_matching::GaussNewton matcher_;
+};
+
+}  // namespace gmapping_spa::loop_closure
+
+#endif  // GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_VERIFICATION_H_

@@ -1,0 +1,77 @@
+// What gmapping_spa leaves behind when it is stopped or fails.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/experiments/apps/gmapping_spa_tour.h"
+
+namespace gmapping_spa::apps {
+namespace {
+
+using ::testing::SizeIs;
+
+// Starts the program on work for minutes, waits until it has made its output folder, so that it is
+// past its start, and sends the signal. Returns the exit status.
+int StatusAfterSignal(std::vector<std::string> command, const std::string& output_dir, int signal) {
+  std::vector<char*> arguments;
+  for (std::string& word : command) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0) {
+    if (std::freopen("/dev/null", "w", stderr) == nullptr) _exit(126);
+    execv(arguments[0], arguments.data());
+    _exit(127);
+  }
+  while (!std::filesystem::exists(output_dir) && waitpid(child, nullptr, WNOHANG) == 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));  // into the middle of the log
+  kill(child, signal);
+  int status = 0;
+  EXPECT_EQ(waitpid(child, &status, 0), child);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+TEST_F(GmappingSpaTour, InterruptedRunLeavesNothingBehind) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const std::string output_dir = folder_.Path("out");
+    EXPECT_EQ(StatusAfterSignal(Command(output_dir, {"--particles=1000", "--linear_update_m=0.05"}),
+                                output_dir, signal),
+              130);
+    EXPECT_FALSE(std::filesystem::exists(output_dir));
+  }
+}
+
+TEST_F(GmappingSpaTour, LogThatBreaksOffLeavesNothingBehind) {
+  ASSERT_EQ(RunCommand({"cp", Log(), folder_.Path("log.clf")}).status, 0);
+  ASSERT_EQ(RunCommand({"gzip", "-n", folder_.Path("log.clf")}).status, 0);
+  const std::string truncated = folder_.Path("log.clf.gz");
+  std::filesystem::resize_file(truncated, std::filesystem::file_size(truncated) - 20);
+  const std::string output_dir = folder_.Path("out");
+  const auto result = RunCommand(Command(output_dir, {"--log=" + truncated}));
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.err, "gmapping_spa: error: " + truncated + ": truncated or corrupt gzip file\n");
+  EXPECT_FALSE(std::filesystem::exists(output_dir));
+}
+
+TEST_F(GmappingSpaTour, FailedRunKeepsAnEarlierResult) {
+  const std::string output_dir = folder_.Path("out");
+  std::filesystem::copy(Result(), output_dir);
+  const std::string broken = folder_.FileWith("log.clf", Contents(Log()) + "FLASER -1\n");
+  EXPECT_EQ(RunCommand(Command(output_dir, {"--log=" + broken, "--bad_record=fail"})).status, 1);
+  EXPECT_THAT(FilesIn(output_dir), SizeIs(kByteIdentical.size() + 1));
+  ExpectSameResult(Result(), output_dir);
+  EXPECT_EQ(Contents(output_dir + "/run.json"), Contents(Result("run.json")));
+}
+
+}  // namespace
+}  // namespace gmapping_spa::apps

@@ -1,0 +1,261 @@
+#include "frontend/graph_thread.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <semaphore>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+namespace gmapping_spa::frontend {
+namespace {
+
+using backend::PoseGraph;
+using backend::Summary;
+using backend::Termination;
+
+Summary Ended(Termination termination) {
+  Summary summary;
+  summary.termination = termination;
+  return summary;
+}
+
+// A back end that works for as long as the test wants: each call waits for one Allow(), then moves
+// node 0 by a metre.
+class Backend {
+ public:
+  backend::OptimizationThread::OptimizeFunction Function() const {
+    return [state = state_](PoseGraph* graph) {
+      state->allowed.acquire();
+      graph->nodes.at(0).world_T_node.x += 1.0;
+      return Ended(Termination::kConverged);
+    };
+  }
+  void Allow(int calls = 1) const { state_->allowed.release(calls); }
+
+ private:
+  struct State {
+    std::counting_semaphore<> allowed{0};
+  };
+  std::shared_ptr<State> state_ = std::make_shared<State>();
+};
+
+PoseGraph GraphAt(double x) { return {.nodes = {{.world_T_node = {x, 0, 0}}}, .edges = {}}; }
+
+double XOf(const PoseGraph& graph) { return graph.nodes.at(0).world_T_node.x; }
+
+GraphThread::Options Lockstep(int scans, double timeout_s = 60.0) {
+  return {GraphThread::Mode::kLockstep, scans, timeout_s};
+}
+
+// Advances until a result comes, for five seconds at most.
+std::optional<PoseGraph> AdvanceUntilTaken(GraphThread* thread) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+  while (std::chrono::steady_clock::now() < deadline) {
+    if (auto graph = thread->Advance()) return graph;
+    std::this_thread::yield();
+  }
+  return std::nullopt;
+}
+
+TEST(GraphThread, LockstepTakesTheResultAtTheNthScanThoughItWasThereBefore) {
+  std::binary_semaphore done{0};
+  GraphThread thread(Lockstep(5), [&done](PoseGraph* graph) {
+    graph->nodes.at(0).world_T_node.x += 1.0;
+    done.release();
+    return Ended(Termination::kConverged);
+  });
+  thread.Start(GraphAt(10));
+  done.acquire();
+  for (int scan = 1; scan < 5; ++scan) {
+    EXPECT_FALSE(thread.Advance()) << scan;
+    EXPECT_TRUE(thread.busy());
+  }
+  const std::optional<PoseGraph> taken = thread.Advance();
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(XOf(*taken), 11);
+  EXPECT_FALSE(thread.busy());
+  EXPECT_FALSE(thread.Advance());
+}
+
+TEST(GraphThread, LockstepWaitsAtTheNthScanForASlowBackEnd) {
+  const Backend backend;
+  GraphThread thread(Lockstep(3), backend.Function());
+  thread.Start(GraphAt(10));
+  EXPECT_FALSE(thread.Advance());
+  EXPECT_FALSE(thread.Advance());
+  const std::jthread allow([&backend] { backend.Allow(); });
+  const std::optional<PoseGraph> taken = thread.Advance();
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(XOf(*taken), 11);
+  EXPECT_EQ(thread.counts().late, 0);
+}
+
+TEST(GraphThread, LockstepCountsFromTheLatestStart) {
+  const Backend backend;
+  backend.Allow(3);
+  GraphThread thread(Lockstep(2), backend.Function());
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_FALSE(thread.Advance()) << "nothing was started";
+    thread.Start(GraphAt(round));
+    EXPECT_FALSE(thread.Advance());
+    const std::optional<PoseGraph> taken = thread.Advance();
+    ASSERT_TRUE(taken);
+    EXPECT_EQ(XOf(*taken), round + 1);
+  }
+  EXPECT_EQ(thread.counts().started, 3);
+  EXPECT_EQ(thread.counts().taken, 3);
+}
+
+TEST(GraphThread, InlineWaitsAtTheNextScan) {
+  const Backend backend;
+  GraphThread thread({GraphThread::Mode::kInline, 10, 60.0}, backend.Function());
+  thread.Start(GraphAt(10));
+  const std::jthread allow([&backend] { backend.Allow(); });
+  const std::optional<PoseGraph> taken = thread.Advance();
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(XOf(*taken), 11);
+}
+
+TEST(GraphThread, AsyncDoesNotWaitAndTakesTheResultWhenItIsThere) {
+  const Backend backend;
+  GraphThread thread({GraphThread::Mode::kAsync, 2, 60.0}, backend.Function());
+  thread.Start(GraphAt(10));
+  for (int scan = 0; scan < 20; ++scan) EXPECT_FALSE(thread.Advance());
+  EXPECT_TRUE(thread.busy());
+  backend.Allow();
+  const std::optional<PoseGraph> taken = AdvanceUntilTaken(&thread);
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(XOf(*taken), 11);
+  EXPECT_EQ(thread.counts().late, 0);
+}
+
+TEST(GraphThread, FailureCostsOnlyItsResult) {
+  int calls = 0;
+  GraphThread thread(Lockstep(2), [&calls](PoseGraph* graph) -> Summary {
+    graph->nodes.at(0).world_T_node.x += 1.0;
+    switch (++calls) {
+      case 1:
+        return Ended(Termination::kFailure);
+      case 2:
+        throw std::runtime_error("out of luck");
+      default:
+        return Ended(Termination::kNoConvergence);  // better than nothing
+    }
+  });
+  for (int failures = 1; failures <= 2; ++failures) {
+    thread.Start(GraphAt(10));
+    EXPECT_FALSE(thread.Advance());
+    EXPECT_FALSE(thread.Advance());
+    EXPECT_FALSE(thread.busy());
+    EXPECT_EQ(thread.counts().failed, failures);
+  }
+  thread.Start(GraphAt(10));
+  EXPECT_FALSE(thread.Advance());
+  const std::optional<PoseGraph> taken = thread.Advance();
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(XOf(*taken), 11);
+  EXPECT_EQ(thread.counts().started, 3);
+  EXPECT_EQ(thread.counts().taken, 1);
+  EXPECT_EQ(thread.counts().failed, 2);
+}
+
+TEST(GraphThread, GoesOnWithoutABackEndThatHangsAndTakesItsResultWhenItComes) {
+  for (const GraphThread::Mode mode : {GraphThread::Mode::kLockstep, GraphThread::Mode::kInline}) {
+    const Backend backend;
+    GraphThread thread({mode, 1, 0.005}, backend.Function());
+    thread.Start(GraphAt(10));
+    for (int scan = 0; scan < 10; ++scan) EXPECT_FALSE(thread.Advance());
+    EXPECT_TRUE(thread.busy());
+    EXPECT_EQ(thread.counts().late, 1);
+    backend.Allow();
+    const std::optional<PoseGraph> taken = AdvanceUntilTaken(&thread);
+    ASSERT_TRUE(taken);
+    EXPECT_EQ(XOf(*taken), 11);
+    EXPECT_EQ(thread.counts().taken, 1);
+    EXPECT_EQ(thread.counts().failed, 0);
+
+    // The next one has its full time again.
+    thread.Start(GraphAt(20));
+    backend.Allow();
+    EXPECT_TRUE(AdvanceUntilTaken(&thread));
+  }
+}
+
+TEST(GraphThread, WaitsForABackEndThatHangsOnlyOnce) {
+  const Backend backend;
+  GraphThread thread(Lockstep(1, 0.1), backend.Function());
+  thread.Start(GraphAt(10));
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_FALSE(thread.Advance());
+  EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(100));
+  for (int scan = 0; scan < 50; ++scan) EXPECT_FALSE(thread.Advance());
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
+  backend.Allow();
+}
+
+TEST(GraphThread, TimeoutOfZeroTakesWhatIsThere) {
+  for (const GraphThread::Mode mode :
+       {GraphThread::Mode::kLockstep, GraphThread::Mode::kInline, GraphThread::Mode::kAsync}) {
+    const Backend backend;
+    backend.Allow();
+    GraphThread thread({mode, 2, 0.0}, backend.Function());
+    thread.Start(GraphAt(10));
+    EXPECT_TRUE(AdvanceUntilTaken(&thread)) << static_cast<int>(mode);
+  }
+}
+
+TEST(GraphThread, FinishTakesWhatRunsBeforeItIsDue) {
+  const Backend backend;
+  backend.Allow();
+  GraphThread thread(Lockstep(100), backend.Function());
+  EXPECT_FALSE(thread.Finish()) << "nothing was started";
+  thread.Start(GraphAt(10));
+  const std::optional<PoseGraph> taken = thread.Finish();
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(XOf(*taken), 11);
+  EXPECT_FALSE(thread.Finish());
+}
+
+TEST(GraphThread, FinishGivesUpOnABackEndThatHangs) {
+  const Backend backend;
+  GraphThread thread(Lockstep(100, 0.005), backend.Function());
+  thread.Start(GraphAt(10));
+  EXPECT_FALSE(thread.Finish());
+  EXPECT_TRUE(thread.busy());
+  EXPECT_EQ(thread.counts().taken, 0);
+  EXPECT_EQ(thread.counts().failed, 0);
+  backend.Allow();
+}
+
+TEST(GraphThread, RunWaitsForTheResult) {
+  const Backend backend;
+  backend.Allow(2);
+  GraphThread thread(Lockstep(100), backend.Function());
+  for (int run = 0; run < 2; ++run) {
+    const std::optional<PoseGraph> optimized = thread.Run(GraphAt(run));
+    ASSERT_TRUE(optimized);
+    EXPECT_EQ(XOf(*optimized), run + 1);
+    EXPECT_FALSE(thread.busy());
+  }
+}
+
+TEST(GraphThread, RunGivesNothingWhileTheBackEndHangs) {
+  const Backend backend;
+  GraphThread thread(Lockstep(1, 0.005), backend.Function());
+  thread.Start(GraphAt(10));
+  EXPECT_FALSE(thread.Run(GraphAt(20)));
+  EXPECT_EQ(thread.counts().started, 1);
+  backend.Allow();
+}
+
+TEST(GraphThreadDeathTest, LockstepNeedsAtLeastOneScan) {
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  EXPECT_DEATH(GraphThread(Lockstep(0), Backend().Function()), "lockstep_scans");
+}
+
+}  // namespace
+}  // namespace gmapping_spa::frontend

@@ -1,0 +1,29 @@
+#include "frontend/loop_closure/closure_record.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace gmapping_spa::loop_closure {
+namespace {
+
+// The names are part of loop_closures.csv and run.json: programs read them.
+TEST(VerdictName, IsWhatTheFilesSay) {
+  EXPECT_STREQ(VerdictName(Verdict::kNoMatch), "no_match");
+  EXPECT_STREQ(VerdictName(Verdict::kAmbiguous), "ambiguous");
+  EXPECT_STREQ(VerdictName(Verdict::kUnstable), "unstable");
+  EXPECT_STREQ(VerdictName(Verdict::kOverlap), "overlap");
+  EXPECT_STREQ(VerdictName(Verdict::kFit), "fit");
+  EXPECT_STREQ(VerdictName(Verdict::kGate), "gate");
+  EXPECT_STREQ(VerdictName(Verdict::kUnconfirmed), "unconfirmed");
+  EXPECT_STREQ(VerdictName(Verdict::kAccepted), "accepted");
+}
+
+TEST(VerdictName, OfNoVerdictIsUnknown) {
+  EXPECT_STREQ(VerdictName(static_cast<Verdict>(200)), "unknown");
+}
+
+TEST(ClosureRecord, StartsAsNoMatch) { EXPECT_EQ(ClosureRecord{}.verdict, Verdict::kNoMatch); }
+
+}  // namespace
+}  // namespace gmapping_spa::loop_closure

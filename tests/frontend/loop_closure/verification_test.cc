@@ -1,0 +1,159 @@
+#include "frontend/loop_closure/verification.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <cmath>
+#include <vector>
+
+#include "tests/frontend/loop_closure/loop_world.h"
+
+namespace gmapping_spa::loop_closure {
+namespace {
+
+using backend::SE2;
+
+// A path of two passes through the same or different places. The estimate of the second pass is
+// off by a drift; what was scanned is not.
+class Verification : public testing::Test {
+ protected:
+  void Drive(const std::vector<SE2>& first, const std::vector<SE2>& second, const SE2& drift,
+             const synthetic::Walls& walls, const synthetic::Laser& laser = {}) {
+    truth_ = first;
+    truth_.insert(truth_.end(), second.begin(), second.end());
+    estimate_ = first;
+    for (const SE2& pose : second) estimate_.push_back(drift * pose);
+    scans_ = synthetic::ScansAt(truth_, walls, laser);
+  }
+
+  // Of `node` after a way of `way_m` since `old_node`.
+  ClosureRecord Verify(int old_node, int node, double way_m,
+                       const Verifier::Options& options = {}) const {
+    // Not the default drift model, which may be tuned.
+    const DriftModel drift{.floor_m = 0.1, .m_per_m = 0.01, .floor_rad = 0.01, .rad_per_m = 0.0005};
+    const Verifier verifier(options, drift, CandidateOptions{});
+    const double distance_m = Between(estimate_[old_node], estimate_[node]).translation().norm();
+    return verifier.Verify(estimate_, [this](int k) { return scans_.at(k); }, node,
+                           {old_node, way_m, distance_m});
+  }
+
+  // Eleven nodes on the first side of the Ring, then eleven that pass 0.3 m beside them, 0.4 m
+  // farther on.
+  void DriveTwiceThroughTheRing(const SE2& drift) {
+    const std::vector<SE2> first = synthetic::DriveOnRing(0, 10, 1.0);
+    std::vector<SE2> second = synthetic::DriveOnRing(0.4, 10.4, 1.0);
+    for (SE2& pose : second) pose.y += 0.3;
+    Drive(first, second, drift, synthetic::Ring());
+  }
+
+  std::vector<SE2> truth_, estimate_;
+  std::vector<sensor::LaserScan> scans_;
+};
+
+// A drift of 0.5 m and 2.3 deg about the place of the second pass.
+const SE2 kDrift = SE2{8, 1.5, 0} * SE2{0.4, -0.3, 0.04} * Inverse(SE2{8, 1.5, 0});
+
+TEST_F(Verification, FindsTheRelativePoseInSpiteOfTheDrift) {
+  DriveTwiceThroughTheRing(kDrift);
+  const int old_node = 5, node = 11 + 5;
+  const SE2 truth = Between(truth_[old_node], truth_[node]);
+  ASSERT_GT(Between(truth, Between(estimate_[old_node], estimate_[node])).translation().norm(),
+            0.4);
+  const ClosureRecord record = Verify(old_node, node, 48.0);
+  EXPECT_EQ(record.verdict, Verdict::kUnconfirmed) << VerdictName(record.verdict);
+  const SE2 off = Between(truth, record.old_T_node);
+  EXPECT_LT(off.translation().norm(), 0.02);
+  EXPECT_LT(std::abs(off.theta), 0.5 * std::numbers::pi / 180);
+  EXPECT_EQ(record.old_node, old_node);
+  EXPECT_EQ(record.node, node);
+  EXPECT_EQ(record.way_m, 48.0);
+  EXPECT_GT(record.score, record.second_score);
+  EXPECT_GT(record.overlap, 0.6);
+  EXPECT_LE(record.overlap, 1.0);
+  EXPECT_GT(record.fit, 0.6);
+  EXPECT_GT(record.gate, 0.1);
+}
+
+TEST_F(Verification, InformationIsPositiveDefiniteAndNotOverconfident) {
+  DriveTwiceThroughTheRing(kDrift);
+  const Eigen::Matrix3d information = Verify(5, 11 + 5, 48.0).information;
+  EXPECT_TRUE(information == information.transpose());
+  EXPECT_EQ(information.llt().info(), Eigen::Success);
+  const Eigen::Matrix3d covariance = information.inverse();
+  EXPECT_GE(std::sqrt(covariance(0, 0)), 0.01);
+  EXPECT_GE(std::sqrt(covariance(1, 1)), 0.01);
+  EXPECT_GE(std::sqrt(covariance(2, 2)), 0.002);
+  EXPECT_LT(std::sqrt(covariance(0, 0)), 0.1);
+  EXPECT_LT(std::sqrt(covariance(2, 2)), 0.02);
+}
+
+TEST_F(Verification, RefusesWhatTheUncertaintyDoesNotAllow) {
+  DriveTwiceThroughTheRing(kDrift);
+  Verifier::Options narrow;
+  narrow.max_gate = 0.5 * Verify(5, 11 + 5, 48.0).gate;
+  EXPECT_EQ(Verify(5, 11 + 5, 48.0, narrow).verdict, Verdict::kGate);
+}
+
+TEST_F(Verification, OptionsDecideTheOtherVerdicts) {
+  DriveTwiceThroughTheRing(kDrift);
+  const auto verdict = [this](const Verifier::Options& options) {
+    return Verify(5, 11 + 5, 48.0, options).verdict;
+  };
+  Verifier::Options options;
+  options.search.min_score = 0.999;
+  EXPECT_EQ(verdict(options), Verdict::kNoMatch);
+  options = {};
+  options.max_second_score = 0.1;
+  EXPECT_EQ(verdict(options), Verdict::kAmbiguous);
+  options = {};
+  options.max_shift_m = 0.0;
+  EXPECT_EQ(verdict(options), Verdict::kUnstable);
+  options = {};
+  options.min_expected_overlap = 1.01;
+  EXPECT_EQ(verdict(options), Verdict::kOverlap);
+  options = {};
+  options.min_overlap = 1.01;
+  EXPECT_EQ(verdict(options), Verdict::kOverlap);
+  options = {};
+  options.min_fit = 2.0;
+  EXPECT_EQ(verdict(options), Verdict::kFit);
+}
+
+TEST_F(Verification, ACorridorWithoutFeaturesIsAmbiguous) {
+  std::vector<SE2> pass;
+  for (int k = 0; k <= 12; ++k) pass.push_back({1.0 * k, 0, 0});
+  Drive(pass, pass, {0.5, 0.1, 0}, synthetic::Corridor(0.0), {.usable_range_m = 8.0});
+  const ClosureRecord record = Verify(6, 13 + 6, 60.0);
+  EXPECT_EQ(record.verdict, Verdict::kAmbiguous) << VerdictName(record.verdict);
+  EXPECT_GT(record.second_score, 0.9 * record.score);
+}
+
+TEST_F(Verification, RefusesAnotherPlaceThatIsTakenForTheOldOne) {
+  // The second pass is on another side of the Ring, but the estimate puts it onto the first.
+  const std::vector<SE2> first = synthetic::DriveOnRing(0, 10, 1.0);
+  for (const double from_m : {14.0, 24.0, 37.0}) {
+    const std::vector<SE2> second = synthetic::DriveOnRing(from_m, from_m + 10, 1.0);
+    Drive(first, second, first[5] * Inverse(second[5]), synthetic::Ring());
+    const ClosureRecord record = Verify(5, 11 + 5, 40.0);
+    EXPECT_LT(record.verdict, Verdict::kUnconfirmed) << from_m;
+  }
+}
+
+TEST_F(Verification, RefusesWhatDoesNotOverlap) {
+  // Both passes are estimated where they are, 10 m apart with a block between them.
+  Drive(synthetic::DriveOnRing(3, 9, 1.0), synthetic::DriveOnRing(27, 33, 1.0), {},
+        synthetic::Ring());
+  EXPECT_EQ(Verify(3, 7 + 3, 24.0).verdict, Verdict::kOverlap);
+}
+
+TEST_F(Verification, RefusesBlindScans) {
+  DriveTwiceThroughTheRing(kDrift);
+  for (sensor::LaserScan& scan : scans_) scan.beams.clear();
+  EXPECT_EQ(Verify(5, 11 + 5, 20.0).verdict, Verdict::kOverlap);
+  // After a long way, when the window is large and the overlap expected says nothing.
+  EXPECT_EQ(Verify(5, 11 + 5, 500.0).verdict, Verdict::kNoMatch);
+}
+
+}  // namespace
+}  // namespace gmapping_spa::loop_closure
