@@ -16,7 +16,7 @@ bin=build/bin
 "$bin/simulate" --world=experiments/simulation/worlds/paper_building.yaml \
   --output_dir="$output/simulated" --seed=1
 "$bin/gmapping_spa" --log="$output/simulated/log.clf" --output_dir="$output/slam" \
-  --flagfile=experiments/flags/gmapping.flags --threads="$(nproc)" "$@"
+  --threads="$(nproc)" "$@"
 "$bin/evaluate_trajectory" --truth="$output/simulated/truth.tum" \
   --trajectory="$output/slam/trajectory.tum" > "$output/slam/errors.json"
 

@@ -1,0 +1,65 @@
+"""Runs of gmapping_spa on logs with known truth, for the scripts of this folder."""
+import json
+import os
+import pathlib
+import platform
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+FLAGS = ROOT / "experiments" / "flags"
+WORLD = ROOT / "experiments" / "simulation" / "worlds" / "paper_building.yaml"
+SIMULATED = "simulated"  # the log of a robot in WORLD
+
+
+def run(*words):
+    return subprocess.run(words, check=True, capture_output=True, text=True).stdout
+
+
+def processor():
+    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return line.split(":", 1)[1].strip()
+    return platform.machine()
+
+
+def add_arguments(parser):
+    parser.add_argument("--data", type=pathlib.Path, default=pathlib.Path(
+        os.environ.get("GMAPPING_SPA_DATA", ROOT.parent / "shared" / "data")),
+        help="folder with carmen/ and relations/")
+    parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build" / "bin")
+
+
+def simulate(args, folder):
+    """Makes the simulated log once for all runs."""
+    run(args.bin / "simulate", f"--world={WORLD}", f"--output_dir={folder}", "--seed=1")
+
+
+def measure(args, log, flags, out, simulated=None):
+    """One run: costs, and the errors against relations (m, deg) or the simulator's truth (RMSE)."""
+    path = simulated / "log.clf" if log == SIMULATED else args.data / "carmen" / f"{log}.clf.gz"
+    run(args.bin / "gmapping_spa", *flags, "--threads=1", f"--log={path}", f"--output_dir={out}")
+    record = json.loads((out / "run.json").read_text())
+    result = {
+        "record": record,
+        "cpu_s": record["resources"]["user_s"] + record["resources"]["system_s"],
+        "memory_mb": record["resources"]["peak_memory_mb"],
+    }
+    relations = args.data / "relations" / f"{log}.relations.gz"
+    if log == SIMULATED:
+        result["error_m"] = json.loads(run(
+            args.bin / "evaluate_trajectory", f"--truth={simulated / 'truth.tum'}",
+            f"--trajectory={out / 'trajectory.tum'}"))["ate"]["translation_m"]["rmse"]
+    elif relations.exists():
+        errors = json.loads(run(
+            args.bin / "evaluate_relations", f"--relations={relations}",
+            f"--trajectory={out / 'trajectory.tum'}"))
+        result["error_m"] = errors["translation_m"]["mean"]
+        result["median_m"] = errors["translation_m"]["median"]
+        result["rotation_deg"] = errors["rotation_deg"]["mean"]
+    return result
+
+
+def replace_table(readme, name, table):
+    begin, end = f"<!-- {name} begin -->", f"<!-- {name} end -->"
+    text = readme.read_text()
+    readme.write_text(f"{text[:text.index(begin)]}{begin}\n{table}\n{text[text.index(end):]}")
