@@ -1,6 +1,8 @@
 #include "frontend/final_round.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "frontend/scan_matching/scan_points.h"
@@ -10,7 +12,14 @@ namespace gmapping_spa::frontend {
 using backend::SE2;
 
 FinalRound::FinalRound(const Options& options, Run run)
-    : options_(options), run_(std::move(run)), matcher_(options.gauss_newton, {}) {}
+    : options_(options), run_(std::move(run)), matcher_(options.gauss_newton, {}) {
+  std::vector<int> positions(run_.scans->size());
+  std::iota(positions.begin(), positions.end(), 0);
+  std::sort(positions.begin(), positions.end(),
+            [this](int a, int b) { return run_.scans->IndexOf(a) < run_.scans->IndexOf(b); });
+  rows_.resize(positions.size());
+  for (int row = 0; row < run_.scans->size(); ++row) rows_[positions[row]] = row;
+}
 
 Estimate FinalRound::Finish(backend::PoseGraph path) {
   backend::PoseGraph graph = path;
@@ -29,14 +38,13 @@ Estimate FinalRound::Finish(backend::PoseGraph path) {
       trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
     }
     RefineScans(&trajectory);
-  }
-  for (std::size_t node = 0; node < graph.nodes.size(); ++node) {
-    graph.nodes[node].world_T_node =
-        trajectory[ScanOfNode(static_cast<int>(node)).index].world_T_robot;
+    for (std::size_t node = 0; node < graph.nodes.size(); ++node) {
+      graph.nodes[node].world_T_node = trajectory[RowOfNode(node)].world_T_robot;
+    }
   }
 
   map::OccupancyGrid map(run_.grid);
-  for (int k = 0; k < run_.scans->size(); ++k) Register(run_.scans->Get(k), trajectory, &map);
+  for (int k = 0; k < run_.scans->size(); ++k) Register(k, trajectory, &map);
   return {std::move(graph), std::move(trajectory), std::move(map)};
 }
 
@@ -57,12 +65,11 @@ void FinalRound::RefineScans(backend::Trajectory* trajectory) const {
   const double m = options_.unrefined_sigma_m, rad = options_.unrefined_sigma_rad;
   const Eigen::Matrix3d prior = Eigen::Array3d(m, m, rad).square().inverse().matrix().asDiagonal();
   map::OccupancyGrid map(run_.grid);
-  for (const int position : *run_.node_scans)
-    Register(run_.scans->Get(position), *trajectory, &map);
+  for (const int position : *run_.node_scans) Register(position, *trajectory, &map);
   for (int k = 0; k < run_.scans->size(); ++k) {
     const sensor::LaserScan scan = run_.scans->Get(k);
     const scan_matching::ScanPoints points = scan_matching::MakeScanPoints(scan);
-    SE2& pose = (*trajectory)[scan.index].world_T_robot;
+    SE2& pose = (*trajectory)[rows_[k]].world_T_robot;
     const scan_matching::GaussNewton::Alignment aligned = matcher_.Align(map, points, pose, prior);
     const SE2 shift = Between(pose, aligned.world_T_robot);
     if (aligned.inliers >= options_.min_inliers * static_cast<double>(points.size()) &&
@@ -78,17 +85,16 @@ void FinalRound::MeasureAnew(const backend::Trajectory& trajectory,
                              backend::PoseGraph* path) const {
   const double m = options_.refined_sigma_m, rad = options_.refined_sigma_rad;
   for (backend::Edge& edge : path->edges) {
-    const auto pose = [&](std::int64_t node) {
-      return trajectory[ScanOfNode(static_cast<int>(node)).index].world_T_robot;
-    };
+    const auto pose = [&](std::int64_t node) { return trajectory[RowOfNode(node)].world_T_robot; };
     edge.i_T_j = Between(pose(edge.i), pose(edge.j));
     edge.information = Eigen::Array3d(m, m, rad).square().inverse().matrix().asDiagonal();
   }
 }
 
-void FinalRound::Register(const sensor::LaserScan& scan, const backend::Trajectory& trajectory,
+void FinalRound::Register(int position, const backend::Trajectory& trajectory,
                           map::OccupancyGrid* map) const {
-  map::RegisterScan(scan, trajectory[scan.index].world_T_robot, run_.registration, map);
+  map::RegisterScan(run_.scans->Get(position), trajectory[rows_[position]].world_T_robot,
+                    run_.registration, map);
 }
 
 }  // namespace gmapping_spa::frontend

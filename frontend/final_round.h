@@ -2,6 +2,7 @@
 #ifndef GMAPPING_SPA_FRONTEND_FINAL_ROUND_H_
 #define GMAPPING_SPA_FRONTEND_FINAL_ROUND_H_
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -58,12 +59,13 @@ class FinalRound {
   void RefineScans(backend::Trajectory* trajectory) const;
   void MeasureAnew(const backend::Trajectory& trajectory, backend::PoseGraph* path) const;
   sensor::LaserScan ScanOfNode(int node) const { return run_.scans->Get((*run_.node_scans)[node]); }
-  void Register(const sensor::LaserScan& scan, const backend::Trajectory& trajectory,
-                map::OccupancyGrid* map) const;
+  std::size_t RowOfNode(std::int64_t node) const { return rows_[run_.node_scans->at(node)]; }
+  void Register(int position, const backend::Trajectory& trajectory, map::OccupancyGrid* map) const;
 
   Options options_;
   Run run_;
   scan_matching::GaussNewton matcher_;
+  std::vector<std::size_t> rows_;  // of the trajectory, of each position in the archive
 };
 
 }  // namespace gmapping_spa::frontend

@@ -119,6 +119,7 @@ int main(int argc, char** argv) {
       argc, argv,
       "makes a map and a trajectory from a sensor log.\n"
       "Usage: gmapping_spa --log=FILE --output_dir=DIR [--flagfile=FILE] [flags]\n"
-      "Writes trajectory.tum, map.pgm, map.yaml, map.png, graph.g2o and run.json.",
+      "Writes trajectory.tum, map.pgm, map.yaml, map.png, graph.g2o, loop_closures.csv and "
+      "run.json.",
       gmapping_spa::apps::Run);
 }

@@ -31,7 +31,8 @@ struct ClosureRecord {
   double score = 0.0;       // of the correlative match, and of the best one elsewhere
   double second_score = 0.0;
   double overlap = 0.0;     // part of the end points in the known part of the old map
-  double fit = 0.0;         // part of those that the old map explains
+  double fit = 0.0;         // explained by the old map, per one of those; hits that end just
+                            // outside of the known part count as well
   double gate = 0.0;        // squared Mahalanobis distance from the pose expected
   backend::SE2 old_T_node;  // measured
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of old_T_node, as of backend::Edge

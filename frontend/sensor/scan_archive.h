@@ -20,6 +20,7 @@ class ScanArchive {
   LaserScan Get(int position) const;
 
   double StampOf(int position) const { return scans_.at(position).stamp_s; }
+  std::int64_t IndexOf(int position) const { return scans_.at(position).index; }
 
   int size() const { return static_cast<int>(scans_.size()); }
 

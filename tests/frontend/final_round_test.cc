@@ -143,6 +143,27 @@ TEST_F(FinalRoundTest, RefiningBringsDisturbedScansBack) {
   }
 }
 
+TEST_F(FinalRoundTest, FurtherRoundsGoOnFromRefinedPosesWhenTheBackEndFails) {
+  DriveInTheRoom();
+  Disturb(0.05, 0.01);
+  const double once_m = LargestError(Finish(Refine(1)).trajectory, truth_);
+  const double thrice_m = LargestError(Finish(Refine(3)).trajectory, truth_);
+  EXPECT_LT(thrice_m, once_m);
+}
+
+TEST_F(FinalRoundTest, ScansThatWereLeftOutOfTheInputLeaveNoHoles) {
+  std::vector<SE2> poses;
+  std::vector<int> order;
+  for (int k = 0; k < 40; ++k) {
+    poses.push_back({1.3 * std::cos(0.1 * k), 1.1 * std::sin(0.1 * k), 0.1 * k + 1.6});
+    order.push_back(1000 + 7 * k);
+  }
+  Drive(poses, synthetic::Room(), order);
+  const Estimate estimate = Finish(Refine(1));
+  ASSERT_EQ(estimate.trajectory.size(), poses.size());
+  EXPECT_LT(LargestError(estimate.trajectory, truth_), 0.02);
+}
+
 TEST_F(FinalRoundTest, RefiningMovesNoScanFartherThanItMay) {
   DriveInTheRoom();
   Disturb(0.04, 0.01);
