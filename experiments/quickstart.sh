@@ -5,6 +5,10 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+if [[ ${1:-} == -* ]]; then
+  sed -n '2,4s/^# //p' "$0"
+  [[ $1 == -h || $1 == --help ]] && exit 0 || exit 1
+fi
 output=${1:-out/quickstart}
 if [[ $# -gt 0 ]]; then shift; fi
 
