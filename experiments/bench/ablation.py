@@ -63,7 +63,7 @@ def table(args, work):
             cells[row, log, seed] = pool.submit(
                 result_of, args, work, simulated, rows[row], log, seed)
     lines = [
-        f"`{' '.join(['experiments/bench/ablation.py', *args.shown])}`, {runs.processor()}, "
+        f"`{runs.command('ablation.py')}`, {runs.processor()}, "
         f"seeds {' '.join(map(str, args.seeds))}: median"
         f"{' (and worst)' if len(args.seeds) > 1 else ''} error in m, CPU time, peak memory.\n",
         f"| flags | back end | correction | particles | {' | '.join(args.logs)} |",
@@ -83,7 +83,6 @@ def main():
     parser.add_argument("--jobs", type=int, default=1, help="runs side by side; slows each down")
     parser.add_argument("--work_dir", type=pathlib.Path, help="keeps the runs")
     args = parser.parse_args()
-    args.shown = [w for w in sys.argv[1:] if not w.startswith("--work_dir")]
     with tempfile.TemporaryDirectory() as folder:
         work = args.work_dir or pathlib.Path(folder)
         work.mkdir(parents=True, exist_ok=True)

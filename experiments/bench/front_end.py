@@ -56,7 +56,7 @@ def rows(log, variant, results, calibration_s):
 
 
 def tables(args):
-    head = (f"`{' '.join(['experiments/bench/front_end.py', *sys.argv[1:]])}`, "
+    head = (f"`{runs.command('front_end.py')}`, "
             f"{runs.processor()}, {len(args.seeds)} seed(s): medians (range).\n")
     long = [head, "| log | variant | mean relation error, m | median, m | mean rotation, deg | CPU s "
             "| peak MB | calibration, CPU s | updates | closures | map, m |",

@@ -4,6 +4,7 @@ import os
 import pathlib
 import platform
 import subprocess
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FLAGS = ROOT / "experiments" / "flags"
@@ -20,6 +21,12 @@ def processor():
         if line.startswith("model name"):
             return line.split(":", 1)[1].strip()
     return platform.machine()
+
+
+def command(script):
+    """The command line to show: without folders, which differ from machine to machine."""
+    words = [w for w in sys.argv[1:] if not w.startswith(("--bin", "--data", "--work_dir"))]
+    return " ".join([f"experiments/bench/{script}", *words])
 
 
 def add_arguments(parser):
