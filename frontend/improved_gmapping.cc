@@ -82,7 +82,9 @@ void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan) {
 }
 
 void ImprovedGmapping::CloseLoops() {
-  const int closed = loop_closer_.Update(backend::PosesOf(PathOfBestParticle()),
+  backend::PoseGraphRecorder path;
+  EmitPath(&path);
+  const int closed = loop_closer_.Update(backend::PosesOf(path.graph()),
                                          [this](int node) { return ScanOfNode(node); });
   if (closed > 0) closure_waits_ = true;
 }
@@ -93,11 +95,10 @@ void ImprovedGmapping::StartOptimization() {
   if (graph_thread_.busy()) return;
   updates_since_optimization_ = 0;
   closure_waits_ = false;
-  backend::PoseGraph graph = PathOfBestParticle();
-  const std::vector<backend::Edge>& closures = loop_closer_.closures();
-  graph.edges.insert(graph.edges.end(), closures.begin(), closures.end());
-  world_T_nodes_before_ = backend::PosesOf(graph);
-  graph_thread_.Start(std::move(graph));
+  backend::PoseGraphRecorder recorder;
+  EmitGraph(&recorder);
+  world_T_nodes_before_ = backend::PosesOf(recorder.graph());
+  graph_thread_.Start(recorder.graph());
 }
 
 // Eq. (14). Poses that came in since the optimization started move with its last one.
@@ -113,21 +114,24 @@ void ImprovedGmapping::TakeOver(const backend::PoseGraph& optimized) {
   }
 }
 
-backend::PoseGraph ImprovedGmapping::PathOfBestParticle() const {
-  backend::PoseGraph graph;
+void ImprovedGmapping::EmitPath(backend::PoseGraphSink* sink) const {
   for (const TrajectoryTree::Vertex& vertex : filter_.Path(filter_.BestParticle())) {
-    graph.nodes.push_back({.id = vertex.step,
-                           .stamp_s = archive_.StampOf(node_scans_[vertex.step]),
-                           .world_T_node = vertex.world_T_robot});
+    sink->AddNode({.id = vertex.step,
+                   .stamp_s = archive_.StampOf(node_scans_[vertex.step]),
+                   .world_T_node = vertex.world_T_robot});
     if (vertex.step == 0) continue;
-    graph.edges.push_back({.i = vertex.step - 1,
-                           .j = vertex.step,
-                           .i_T_j = vertex.motion.previous_T_robot,
-                           .information = vertex.motion.information,
-                           .kind = vertex.motion.matched ? backend::EdgeKind::kScanMatch
-                                                         : backend::EdgeKind::kOdometry});
+    sink->AddEdge({.i = vertex.step - 1,
+                   .j = vertex.step,
+                   .i_T_j = vertex.motion.previous_T_robot,
+                   .information = vertex.motion.information,
+                   .kind = vertex.motion.matched ? backend::EdgeKind::kScanMatch
+                                                 : backend::EdgeKind::kOdometry});
   }
-  return graph;
+}
+
+void ImprovedGmapping::EmitGraph(backend::PoseGraphSink* sink) const {
+  EmitPath(sink);
+  for (const backend::Edge& closure : loop_closer_.closures()) sink->AddEdge(closure);
 }
 
 const particle_filter::Particle& ImprovedGmapping::BestParticle() const {
@@ -135,11 +139,10 @@ const particle_filter::Particle& ImprovedGmapping::BestParticle() const {
 }
 
 Estimate ImprovedGmapping::CurrentEstimate() const {
-  backend::PoseGraph graph = PathOfBestParticle();
-  backend::Trajectory trajectory = scan_poses_.Fill(backend::PosesOf(graph));
-  const std::vector<backend::Edge>& closures = loop_closer_.closures();
-  graph.edges.insert(graph.edges.end(), closures.begin(), closures.end());
-  return {std::move(graph), std::move(trajectory), BestParticle().map};
+  backend::PoseGraphRecorder recorder;
+  EmitGraph(&recorder);
+  return {recorder.graph(), scan_poses_.Fill(backend::PosesOf(recorder.graph())),
+          BestParticle().map};
 }
 
 Estimate ImprovedGmapping::Finish() {
@@ -154,7 +157,9 @@ Estimate ImprovedGmapping::Finish() {
        .registration = options_.filter.registration,
        .loop_closer = options_.close_loops ? &loop_closer_ : nullptr,
        .optimize = [this](const backend::PoseGraph& graph) { return graph_thread_.Run(graph); }});
-  return final_round.Finish(PathOfBestParticle());
+  backend::PoseGraphRecorder path;
+  EmitPath(&path);
+  return final_round.Finish(path.graph());
 }
 
 }  // namespace gmapping_spa::frontend

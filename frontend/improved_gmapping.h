@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "backend/optimization_thread.h"
-#include "backend/pose_graph.h"
+#include "backend/pose_graph_sink.h"
 #include "frontend/estimate.h"
 #include "frontend/final_round.h"
 #include "frontend/graph_thread.h"
@@ -71,6 +71,10 @@ class ImprovedGmapping {
   // Throws std::runtime_error when the odometry leads out of the area that a map can cover.
   void AddScan(const sensor::LaserScan& scan);
 
+  // The pose graph as it is now: the best particle's path, a node an update with ids 0, 1, ..., and
+  // the accepted loop closures.
+  void EmitGraph(backend::PoseGraphSink* sink) const;
+
   // What the best particle knows so far. Needs at least one scan.
   Estimate CurrentEstimate() const;
 
@@ -89,7 +93,7 @@ class ImprovedGmapping {
   void UpdateFilter(const sensor::LaserScan& scan);
   void CloseLoops();
   void StartOptimization();
-  backend::PoseGraph PathOfBestParticle() const;
+  void EmitPath(backend::PoseGraphSink* sink) const;
   const particle_filter::Particle& BestParticle() const;
   sensor::LaserScan ScanOfNode(int node) const { return archive_.Get(node_scans_.at(node)); }
 

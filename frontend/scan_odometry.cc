@@ -23,9 +23,6 @@ constexpr double kForgetting = 0.05;  // a scan's share in the running mean of t
 // By how much another place must score higher to be believed against the wheels.
 constexpr double kSearchMargin = 0.1;
 
-// A match below this says nothing: the wheels are better.
-constexpr double kMinScore = 0.2;
-
 }  // namespace
 
 ScanOdometry::ScanOdometry(const Options& options)
@@ -44,15 +41,17 @@ SE2 ScanOdometry::Advance(const sensor::LaserScan& scan, const SE2& wheels) {
   const ScanPoints points = scan_matching::MakeScanPoints(scan);
   const SE2 before = odom_T_robot_;
   const SE2 predicted = before * wheels;
-  Match match = MatchFrom(points, predicted, WheelInformation(wheels));
+  const map::OccupancyGrid& grid = maps_.front().grid;
+  scan_matching::MatchResult match =
+      matcher_.Match(grid, points, predicted, WheelInformation(wheels));
   const double usual_score = options_.search_below * recent_score_;
   if (match.score < usual_score) {
-    const Match elsewhere = MatchFrom(points, Search(points, predicted, usual_score / 2.0),
-                                      scan_matching::GaussNewton::WeakPrior());
+    const scan_matching::MatchResult elsewhere =
+        matcher_.Match(grid, points, Search(points, predicted, usual_score / 2.0));
     if (elsewhere.score > std::max(usual_score, match.score + kSearchMargin)) match = elsewhere;
   }
   recent_score_ += kForgetting * (match.score - recent_score_);
-  odom_T_robot_ = match.score >= kMinScore ? match.odom_T_robot : predicted;
+  odom_T_robot_ = match.success ? match.world_T_robot : predicted;
 
   const SE2 since_entered = Between(odom_T_entered_, odom_T_robot_);
   if (since_entered.translation().norm() > options_.enter_m ||
@@ -60,18 +59,6 @@ SE2 ScanOdometry::Advance(const sensor::LaserScan& scan, const SE2& wheels) {
     Enter(scan);
   }
   return Between(before, odom_T_robot_);
-}
-
-// The aligned pose where it scores higher than the initial one, else that.
-ScanOdometry::Match ScanOdometry::MatchFrom(const ScanPoints& points, const SE2& initial,
-                                            const Eigen::Matrix3d& prior_information) const {
-  const map::OccupancyGrid& grid = maps_.front().grid;
-  const SE2 aligned = matcher_.Align(grid, points, initial, prior_information).world_T_robot;
-  scan_matching::EndpointModel model(options_.endpoint, &grid, &points);
-  const double initial_score = model.Score(initial);
-  const double aligned_score = model.Score(aligned, initial_score);
-  return aligned_score > initial_score ? Match{aligned, aligned_score}
-                                       : Match{initial, initial_score};
 }
 
 // The best pose of a lattice that scores at least so much; the centre if there is none.

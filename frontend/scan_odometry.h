@@ -50,13 +50,7 @@ class ScanOdometry {
     map::OccupancyGrid grid;
     int scans = 0;
   };
-  struct Match {
-    backend::SE2 odom_T_robot;
-    double score = 0.0;
-  };
 
-  Match MatchFrom(const scan_matching::ScanPoints& points, const backend::SE2& initial,
-                  const Eigen::Matrix3d& prior_information) const;
   backend::SE2 Search(const scan_matching::ScanPoints& points, const backend::SE2& centre,
                       double at_least) const;
   Eigen::Matrix3d WheelInformation(const backend::SE2& wheels) const;

@@ -9,7 +9,7 @@
 
 namespace gmapping_spa::loop_closure {
 
-// In the order in which they are tested.
+// In the order in which they are tested; overlap is tested at the expected pose first of all.
 enum class Verdict : std::uint8_t {
   kNoMatch,      // no pose in the window fits
   kAmbiguous,    // another pose fits nearly as well

@@ -68,12 +68,19 @@ int LoopCloser::Confirm(const std::vector<SE2>& world_T_nodes,
     const double squared = options_.drift.SquaredDistance(around, new_way + old_way);
     if (squared > options_.confirm_sigmas * options_.confirm_sigmas) continue;
     for (ClosureRecord* record : {&a, &b}) {
-      if (record->verdict == Verdict::kAccepted) continue;
+      if (record->verdict == Verdict::kAccepted || IsClosed(*record)) continue;
       Accept(record);
       ++accepted;
     }
   }
   return accepted;
+}
+
+// Whether the same two nodes have been looked at before, and accepted.
+bool LoopCloser::IsClosed(const ClosureRecord& record) const {
+  return std::any_of(closures_.begin(), closures_.end(), [&](const backend::Edge& closure) {
+    return closure.i == record.old_node && closure.j == record.node;
+  });
 }
 
 void LoopCloser::Accept(ClosureRecord* record) {

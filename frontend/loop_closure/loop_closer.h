@@ -47,6 +47,7 @@ class LoopCloser {
               const std::vector<double>& ways_driven, const ScanOfNode& scan_of_node, int node);
   int Confirm(const std::vector<backend::SE2>& world_T_nodes,
               const std::vector<double>& ways_driven, std::size_t newest);
+  bool IsClosed(const ClosureRecord& record) const;
   void Accept(ClosureRecord* record);
 
   Options options_;

@@ -125,7 +125,13 @@ GaussNewton::Alignment GaussNewton::Align(const map::OccupancyGrid& grid, const 
 
 MatchResult GaussNewton::Match(const map::OccupancyGrid& grid, const ScanPoints& points,
                                const SE2& initial_world_T_robot) const {
-  const SE2 aligned = Align(grid, points, initial_world_T_robot, WeakPrior()).world_T_robot;
+  return Match(grid, points, initial_world_T_robot, WeakPrior());
+}
+
+MatchResult GaussNewton::Match(const map::OccupancyGrid& grid, const ScanPoints& points,
+                               const SE2& initial_world_T_robot,
+                               const Eigen::Matrix3d& prior_information) const {
+  const SE2 aligned = Align(grid, points, initial_world_T_robot, prior_information).world_T_robot;
   EndpointModel model(model_options_, &grid, &points);
   const double initial_score = model.Score(initial_world_T_robot);
   const double aligned_score = model.Score(aligned, initial_score);

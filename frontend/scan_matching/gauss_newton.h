@@ -44,6 +44,11 @@ class GaussNewton : public ScanMatcher {
   MatchResult Match(const map::OccupancyGrid& grid, const ScanPoints& points,
                     const backend::SE2& initial_world_T_robot) const override;
 
+  // Likewise, with a prior as Align has it.
+  MatchResult Match(const map::OccupancyGrid& grid, const ScanPoints& points,
+                    const backend::SE2& initial_world_T_robot,
+                    const Eigen::Matrix3d& prior_information) const;
+
   // A prior that decides nothing that any beam has a say in.
   static Eigen::Matrix3d WeakPrior() { return 1e-3 * Eigen::Matrix3d::Identity(); }
 
