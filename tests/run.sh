@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs every test.
-#   tests/run.sh            release build, all tests; then the sanitizer builds, without long tests
+#   tests/run.sh            release build, all tests; then the sanitizers: short tests with ASan and
+#                           UBSan, those with threads with TSan
 #   tests/run.sh PRESET...  only these presets: release, dev, asan, tsan
 # Tests on real logs find them in $GMAPPING_SPA_DATA or ../shared/data, and are skipped elsewhere.
 set -euo pipefail
