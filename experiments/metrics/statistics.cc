@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace gmapping_spa::metrics {
@@ -25,6 +26,14 @@ Statistics ComputeStatistics(std::vector<double> errors) {
           .std = std::sqrt(sum_of_squared_deviations / n),
           .min = errors.front(),
           .max = errors.back()};
+}
+
+std::optional<MeanAndP95> ComputeMeanAndP95(std::vector<double> errors) {
+  if (errors.empty()) return std::nullopt;
+  const std::size_t rank = (95 * errors.size() + 99) / 100;  // 95 % rounded up, from 1
+  std::nth_element(errors.begin(), errors.begin() + (rank - 1), errors.end());
+  const double sum = std::accumulate(errors.begin(), errors.end(), 0.0);
+  return MeanAndP95{sum / errors.size(), errors[rank - 1]};
 }
 
 }  // namespace gmapping_spa::metrics

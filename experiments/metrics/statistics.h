@@ -2,6 +2,7 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_STATISTICS_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_STATISTICS_H_
 
+#include <optional>
 #include <vector>
 
 namespace gmapping_spa::metrics {
@@ -19,6 +20,14 @@ struct Statistics {
 
 // Throws std::invalid_argument when there are no errors.
 Statistics ComputeStatistics(std::vector<double> errors);
+
+struct MeanAndP95 {
+  double mean = 0.0;
+  double p95 = 0.0;  // the smallest error that 95 % of the errors do not exceed
+};
+
+// Nothing when there are no errors.
+std::optional<MeanAndP95> ComputeMeanAndP95(std::vector<double> errors);
 
 }  // namespace gmapping_spa::metrics
 

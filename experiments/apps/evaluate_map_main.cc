@@ -1,0 +1,148 @@
+// Compares a map with the true one, as far as the robot could have seen it, and prints the errors
+// as JSON.
+#include <gflags/gflags.h>
+
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "backend/trajectory_io.h"
+#include "experiments/apps/app.h"
+#include "experiments/apps/error_picture.h"
+#include "experiments/apps/flag_checks.h"
+#include "experiments/apps/input_file.h"
+#include "experiments/apps/json.h"
+#include "experiments/metrics/association.h"
+#include "experiments/metrics/map_comparison.h"
+#include "experiments/metrics/map_error.h"
+#include "experiments/metrics/map_structure.h"
+#include "experiments/metrics/seen_space.h"
+#include "experiments/metrics/trajectory_error.h"
+#include "frontend/map/map_server_io.h"
+
+DEFINE_string(map, "", "YAML file of the map to score.");
+DEFINE_string(truth, "", "YAML file of the true map. Empty: only what needs no truth is measured.");
+DEFINE_string(truth_trajectory, "",
+              "File of the true trajectory, TUM format: from where the robot looked.");
+DEFINE_string(trajectory, "",
+              "File of the trajectory that belongs to the map, TUM format. Not needed with "
+              "--align=none.");
+DEFINE_string(
+    align, "se2",
+    "How the map is laid over the truth, by the trajectories: se2 (least squared distance of the "
+    "positions, no scale), first (by the first poses) or none.");
+DEFINE_double(max_gap_s, 0.01,
+              "Poses belong together when their stamps differ by this at most (seconds).");
+DEFINE_double(max_range, 30.0, "How far the robot could see, m.");
+DEFINE_double(tolerance, 0.1,
+              "Surface is missing when no occupied cell is this near, an occupied cell is extra "
+              "when no surface is, m.");
+DEFINE_string(error_map, "", "PNG of the errors to write. Empty: none.");
+
+namespace gmapping_spa::apps {
+namespace {
+
+Json ToJson(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
+
+Json ToJson(const std::optional<metrics::MeanAndP95>& errors) {
+  if (!errors) return {{"mean", nullptr}, {"p95", nullptr}};
+  return {{"mean", errors->mean}, {"p95", errors->p95}};
+}
+
+void CheckFlags() {
+  if (FLAGS_map.empty()) throw std::runtime_error("--map=FILE is missing");
+  if (!(FLAGS_max_gap_s >= 0.0)) throw std::runtime_error("--max_gap_s must not be negative");
+  InRange("max_range", FLAGS_max_range, 0.01, 1e4);
+  InRange("tolerance", FLAGS_tolerance, 0.0, metrics::kDistanceCap_m);
+  if (FLAGS_truth.empty()) {
+    for (const auto& [name, value] :
+         {std::pair("truth_trajectory", FLAGS_truth_trajectory),
+          std::pair("trajectory", FLAGS_trajectory), std::pair("error_map", FLAGS_error_map)}) {
+      if (value.empty()) continue;
+      throw std::runtime_error("--" + std::string(name) + " needs --truth=FILE");
+    }
+  } else if (FLAGS_truth_trajectory.empty()) {
+    throw std::runtime_error("--truth needs --truth_trajectory=FILE");
+  }
+}
+
+backend::SE2 AlignmentFromFlags(const backend::Trajectory& true_poses) {
+  const auto alignment = OneOf<metrics::Alignment>("align", FLAGS_align,
+                                                   {{"first", metrics::Alignment::kFirst},
+                                                    {"none", metrics::Alignment::kNone},
+                                                    {"se2", metrics::Alignment::kSe2}});
+  if (alignment == metrics::Alignment::kNone) return {};
+  if (FLAGS_trajectory.empty()) {
+    throw std::runtime_error("--align=" + FLAGS_align + " needs --trajectory=FILE");
+  }
+  const auto trajectory = backend::ReadTum(*OpenInput(FLAGS_trajectory), FLAGS_trajectory);
+  return metrics::Align(metrics::AssociateByStamp(true_poses, trajectory, FLAGS_max_gap_s),
+                        alignment);
+}
+
+Json AgainstTruth(const map::TrinaryMap& map) {
+  const map::TrinaryMap truth = map::ReadMap(FLAGS_truth);
+  const auto true_poses =
+      backend::ReadTum(*OpenInput(FLAGS_truth_trajectory), FLAGS_truth_trajectory);
+  const backend::SE2 truth_T_map = AlignmentFromFlags(true_poses);
+  const auto seen = metrics::LookAround(truth, true_poses, FLAGS_max_range);
+  const auto comparison = metrics::CompareMaps(truth, seen, map, truth_T_map);
+  const auto errors = metrics::SummarizeErrors(comparison, FLAGS_tolerance);
+  if (!FLAGS_error_map.empty()) {
+    WriteErrorPicture(truth, comparison, FLAGS_tolerance, FLAGS_error_map);
+  }
+  return {
+      {"truth", {{"resolution_m", truth.resolution_m}, {"true_poses", true_poses.size()}}},
+      {"align", FLAGS_align},
+      {"alignment",
+       {{"x_m", truth_T_map.x}, {"y_m", truth_T_map.y}, {"theta_rad", truth_T_map.theta}}},
+      {"seen",
+       {{"max_range_m", FLAGS_max_range},
+        {"view_points", seen.view_points},
+        {"free_cells", comparison.seen_cells},
+        {"surface_elements", errors.surface_elements},
+        {"straight_elements", errors.straight_elements}}},
+      {"tolerance_m", FLAGS_tolerance},
+      {"map_to_truth_m", ToJson(errors.map_to_truth_m)},
+      {"truth_to_map_m", ToJson(errors.truth_to_map_m)},
+      {"precision", ToJson(errors.precision)},
+      {"recall", ToJson(errors.recall)},
+      {"iou", ToJson(errors.iou)},
+      {"known", ToJson(errors.known)},
+      {"matched_elements", errors.matched_elements},
+      {"blur_m", ToJson(errors.blur_m)},
+      {"shift_m", ToJson(errors.shift_m)},
+      {"missing", ToJson(errors.missing)},
+      {"extra", ToJson(errors.extra)},
+      {"outside", ToJson(errors.outside)},
+      {"convention",
+       "true surface: edges between occupied and seen free cells of the truth; a cell that the "
+       "surface passes through is 0 m off; distances up to 1 m; precision, recall, iou within one "
+       "cell; blur and shift along the normals of straight surface; null: nothing to measure"}};
+}
+
+void Run() {
+  CheckFlags();
+  const map::TrinaryMap map = map::ReadMap(FLAGS_map);
+  const metrics::MapStructure structure = metrics::MeasureStructure(map);
+  Json json = {{"map",
+                {{"resolution_m", map.resolution_m},
+                 {"occupied_cells", structure.occupied_cells},
+                 {"enclosed_areas", structure.enclosed_areas},
+                 {"corners", structure.corners}}}};
+  if (!FLAGS_truth.empty()) json.update(AgainstTruth(map));
+  std::cout << json.dump(2) << '\n';
+}
+
+}  // namespace
+}  // namespace gmapping_spa::apps
+
+int main(int argc, char** argv) {
+  return gmapping_spa::apps::RunApp(
+      argc, argv,
+      "compares a map with the true one, as far as the robot could have seen it, and prints the "
+      "errors as JSON.\nUsage: evaluate_map --map=FILE [--truth=FILE --truth_trajectory=FILE "
+      "--trajectory=FILE]\nTrajectories may be gzipped.",
+      gmapping_spa::apps::Run);
+}

@@ -1,0 +1,37 @@
+// Where points of a map's frame lie among its cells.
+#ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_MAP_CELLS_H_
+#define GMAPPING_SPA_EXPERIMENTS_METRICS_MAP_CELLS_H_
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "frontend/map/trinary_map.h"
+
+namespace gmapping_spa::metrics {
+
+// In units of cells, from the lower left corner of the map.
+inline Eigen::Vector2d ToCells(const map::TrinaryMap& map, const Eigen::Vector2d& point) {
+  return (point - Eigen::Vector2d(map.origin_x_m, map.origin_y_m)) / map.resolution_m;
+}
+
+// The column or row of such a coordinate. Clamped far away from any map, where int still holds it.
+inline int CellOf(double cells) {
+  constexpr double kFarAway = 1e9;
+  return static_cast<int>(std::floor(std::clamp(cells, -kFarAway, kFarAway)));
+}
+
+inline Eigen::Vector2d CellCenter(const map::TrinaryMap& map, int column, int row) {
+  return {map.origin_x_m + (column + 0.5) * map.resolution_m,
+          map.origin_y_m + (row + 0.5) * map.resolution_m};
+}
+
+// Around the map, everything is unknown.
+inline map::CellState StateAt(const map::TrinaryMap& map, int column, int row) {
+  const bool inside = column >= 0 && column < map.width && row >= 0 && row < map.height;
+  return inside ? map.at(column, row) : map::CellState::kUnknown;
+}
+
+}  // namespace gmapping_spa::metrics
+
+#endif  // GMAPPING_SPA_EXPERIMENTS_METRICS_MAP_CELLS_H_

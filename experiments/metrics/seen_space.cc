@@ -1,0 +1,55 @@
+#include "experiments/metrics/seen_space.h"
+
+#include <Eigen/Core>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "experiments/metrics/grid_ray.h"
+#include "experiments/metrics/map_cells.h"
+
+namespace gmapping_spa::metrics {
+namespace {
+
+using map::CellState;
+
+constexpr double kViewPointDistance_m = 0.25;
+constexpr int kDirections = 1440;
+
+}  // namespace
+
+SeenSpace LookAround(const map::TrinaryMap& truth, const backend::Trajectory& true_poses,
+                     double max_range_m) {
+  SeenSpace seen{truth.width, truth.height, {}, 0};
+  seen.cells.assign(truth.cells.size(), 0);
+  std::vector<Eigen::Vector2d> directions;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = (i + 0.5) * 2.0 * std::numbers::pi / kDirections;
+    directions.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  const auto look = [&](int column, int row, double, double) {
+    if (StateAt(truth, column, row) != CellState::kFree) return false;
+    seen.cells[static_cast<std::size_t>(row) * truth.width + column] = 1;
+    return true;
+  };
+  std::optional<Eigen::Vector2d> last_view_point;
+  for (const auto& [stamp_s, pose] : true_poses) {
+    const Eigen::Vector2d position = pose.translation();
+    if (last_view_point && (position - *last_view_point).norm() < kViewPointDistance_m) continue;
+    const Eigen::Vector2d origin = ToCells(truth, position);
+    if (StateAt(truth, CellOf(origin.x()), CellOf(origin.y())) != CellState::kFree) continue;
+    last_view_point = position;
+    ++seen.view_points;
+    for (const Eigen::Vector2d& direction : directions) {
+      VisitCellsAlong(origin, direction, max_range_m / truth.resolution_m, look);
+    }
+  }
+  if (seen.view_points == 0) {
+    throw std::runtime_error(
+        "expected true poses in the free space of the true map, found none there");
+  }
+  return seen;
+}
+
+}  // namespace gmapping_spa::metrics

@@ -1,0 +1,36 @@
+// What of a world a robot with a laser could have seen on its way.
+#ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_SEEN_SPACE_H_
+#define GMAPPING_SPA_EXPERIMENTS_METRICS_SEEN_SPACE_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "backend/trajectory_io.h"
+#include "frontend/map/trinary_map.h"
+
+namespace gmapping_spa::metrics {
+
+// The free cells of a true map that were in sight.
+struct SeenSpace {
+  int width = 0, height = 0;        // those of the true map
+  std::vector<std::uint8_t> cells;  // 1: seen
+  int view_points = 0;
+
+  // False outside of the map.
+  bool IsSeen(int column, int row) const {
+    return column >= 0 && column < width && row >= 0 && row < height &&
+           cells[static_cast<std::size_t>(row) * width + column] != 0;
+  }
+};
+
+// Looks around from the true poses (positions in the frame of the map, headings do not count): from
+// the first one and then from each that is at least 0.25 m from the last view point, in 1440
+// directions, up to max_range_m or to the first cell that is not free. A pose in a cell that is not
+// free, or outside of the map, is no view point; throws std::runtime_error when there is none.
+SeenSpace LookAround(const map::TrinaryMap& truth, const backend::Trajectory& true_poses,
+                     double max_range_m);
+
+}  // namespace gmapping_spa::metrics
+
+#endif  // GMAPPING_SPA_EXPERIMENTS_METRICS_SEEN_SPACE_H_

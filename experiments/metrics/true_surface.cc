@@ -1,0 +1,114 @@
+#include "experiments/metrics/true_surface.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "experiments/metrics/grid_ray.h"
+#include "experiments/metrics/map_cells.h"
+
+namespace gmapping_spa::metrics {
+namespace {
+
+using map::CellState;
+using map::TrinaryMap;
+
+constexpr int kNeighbourCells = 3;
+constexpr double kMinSideCells = 2.0;
+constexpr double kMaxOffLineCells = 0.6;  // the steps of a slanted wall are half a cell off
+
+std::vector<SurfaceElement> FindEdges(const TrinaryMap& truth, const SeenSpace& seen) {
+  constexpr std::array<std::array<int, 2>, 4> kNeighbours = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+  std::vector<SurfaceElement> surface;
+  for (int row = 0; row < truth.height; ++row) {
+    for (int column = 0; column < truth.width; ++column) {
+      if (truth.at(column, row) != CellState::kOccupied) continue;
+      const Eigen::Vector2d center = CellCenter(truth, column, row);
+      for (const auto& [dx, dy] : kNeighbours) {
+        if (!seen.IsSeen(column + dx, row + dy)) continue;
+        const Eigen::Vector2d facing(dx, dy), along(-dy, dx);
+        const double half = 0.5 * truth.resolution_m;
+        const Eigen::Vector2d middle = center + half * facing;
+        surface.push_back({.column = column,
+                           .row = row,
+                           .middle = middle,
+                           .facing = facing,
+                           .edge = {middle - half * along, middle + half * along},
+                           .across = {}});
+      }
+    }
+  }
+  return surface;
+}
+
+// The normal of the line through the edges near `element`, if there is one; see the header.
+std::optional<Eigen::Vector2d> StraightNormal(const std::vector<SurfaceElement>& surface,
+                                              const SurfaceElement& element, double resolution_m) {
+  const auto row_begins = [&](int row) {
+    return std::lower_bound(surface.begin(), surface.end(), row,
+                            [](const SurfaceElement& e, int r) { return e.row < r; });
+  };
+  std::vector<Eigen::Vector2d> points;  // in cells, from the middle of the element
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero(), facing = mean;
+  const auto end = row_begins(element.row + kNeighbourCells + 1);
+  for (auto other = row_begins(element.row - kNeighbourCells); other != end; ++other) {
+    const Eigen::Vector2d point = (other->middle - element.middle) / resolution_m;
+    if (point.norm() > kNeighbourCells + 1e-6 || other->facing.dot(element.facing) < 0.0) continue;
+    points.push_back(point);
+    mean += point;
+    facing += other->facing;
+  }
+  mean /= static_cast<double>(points.size());
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+  for (const Eigen::Vector2d& p : points) scatter += (p - mean) * (p - mean).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(scatter);
+  const Eigen::Vector2d normal =
+      axes.eigenvectors().col(0) * (axes.eigenvectors().col(0).dot(facing) < 0.0 ? -1.0 : 1.0);
+  const Eigen::Vector2d along = axes.eigenvectors().col(1);
+  double first = 0.0, last = 0.0;
+  for (const Eigen::Vector2d& p : points) {
+    if (std::abs((p - mean).dot(normal)) > kMaxOffLineCells) return std::nullopt;
+    first = std::min(first, p.dot(along));
+    last = std::max(last, p.dot(along));
+  }
+  const double side = kMinSideCells - 1e-6;
+  if (-first < side || last < side) return std::nullopt;
+  return normal;
+}
+
+// The length in metres of the ray from `point` to the first cell that is as `ends` says, capped.
+template <typename Ends>
+double FreeWay(const TrinaryMap& truth, const Eigen::Vector2d& point,
+               const Eigen::Vector2d& direction, const Ends& ends) {
+  double way = 2.0 * kReach_m / truth.resolution_m;
+  VisitCellsAlong(ToCells(truth, point), direction, way,
+                  [&](int column, int row, double begin, double end) {
+                    // On the edge where it starts, the ray touches the cells on both sides.
+                    if (end - begin < 1e-6 || !ends(column, row)) return true;
+                    way = begin;
+                    return false;
+                  });
+  return way * truth.resolution_m;
+}
+
+}  // namespace
+
+std::vector<SurfaceElement> FindSeenSurface(const TrinaryMap& truth, const SeenSpace& seen) {
+  std::vector<SurfaceElement> surface = FindEdges(truth, seen);
+  for (SurfaceElement& element : surface) {
+    const auto normal = StraightNormal(surface, element, truth.resolution_m);
+    if (!normal) continue;
+    const auto is_seen = [&](int column, int row) { return seen.IsSeen(column, row); };
+    const auto is_solid = [&](int column, int row) {
+      return StateAt(truth, column, row) != CellState::kFree;
+    };
+    element.across = Across{.normal = *normal,
+                            .behind_m = 0.5 * FreeWay(truth, element.middle, -*normal, is_seen),
+                            .in_front_m = 0.5 * FreeWay(truth, element.middle, *normal, is_solid)};
+  }
+  return surface;
+}
+
+}  // namespace gmapping_spa::metrics

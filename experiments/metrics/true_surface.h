@@ -1,0 +1,46 @@
+// The surface of what stands in a true map: where the beams of a laser end.
+//
+// A wall cell of the true map is solid, and its surface is the edge that it shares with free space.
+// A mapper puts its hits there, half a cell in front of the centre of the wall cell; measured from
+// centres, a map without error would be half a cell wrong. So everything is measured from edges.
+#ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_TRUE_SURFACE_H_
+#define GMAPPING_SPA_EXPERIMENTS_METRICS_TRUE_SURFACE_H_
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "experiments/metrics/cell_distance.h"
+#include "experiments/metrics/seen_space.h"
+#include "frontend/map/trinary_map.h"
+
+namespace gmapping_spa::metrics {
+
+// How far along the normal of a straight surface it is the nearest one.
+struct Across {
+  Eigen::Vector2d normal;   // unit, into free space
+  double behind_m = 0.0;    // half way to the seen free space behind the wall
+  double in_front_m = 0.0;  // half way to the next thing in front
+};
+
+// One edge of one cell.
+struct SurfaceElement {
+  int column = 0, row = 0;  // the occupied cell
+  Eigen::Vector2d middle;   // in the frame of the true map
+  Eigen::Vector2d facing;   // unit, from the occupied cell to the free one
+  Segment edge;
+  std::optional<Across> across;  // only where the surface is straight
+};
+
+// What is farther than this from a surface has nothing to do with it.
+inline constexpr double kReach_m = 0.5;
+
+// Every edge between an occupied cell and a seen free one, by rows and columns of occupied cells.
+// The surface is straight at an edge when the edges around it, within three cells and not facing
+// the other way, reach two cells or more to both sides and lie within 0.6 cells of their line of
+// least squares. `across` reaches kReach_m at most.
+std::vector<SurfaceElement> FindSeenSurface(const map::TrinaryMap& truth, const SeenSpace& seen);
+
+}  // namespace gmapping_spa::metrics
+
+#endif  // GMAPPING_SPA_EXPERIMENTS_METRICS_TRUE_SURFACE_H_
