@@ -4,11 +4,15 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "frontend/map/trinary_map.h"
 
 namespace gmapping_spa::metrics {
+
+// The neighbours of a cell across its four sides, as steps in columns and rows.
+inline constexpr std::array<std::array<int, 2>, 4> kSides = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 // In units of cells, from the lower left corner of the map.
 inline Eigen::Vector2d ToCells(const map::TrinaryMap& map, const Eigen::Vector2d& point) {

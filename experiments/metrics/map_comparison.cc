@@ -17,23 +17,13 @@ using map::TrinaryMap;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
-// Where the elements of each cell of the true map begin in `surface`; one more at the end.
-std::vector<int> IndexByCell(const TrinaryMap& truth, const std::vector<SurfaceElement>& surface) {
-  std::vector<int> begins(truth.cells.size() + 1, 0);
-  for (const SurfaceElement& element : surface) {
-    ++begins[static_cast<std::size_t>(element.row) * truth.width + element.column + 1];
-  }
-  for (std::size_t i = 1; i < begins.size(); ++i) begins[i] += begins[i - 1];
-  return begins;
-}
-
 std::vector<ComparedElement> CompareElements(const std::vector<SurfaceElement>& surface,
                                              const TrinaryMap& map,
                                              const backend::SE2& map_T_truth) {
   const backend::SE2 rotation{0.0, 0.0, map_T_truth.theta};
   std::vector<ComparedElement> elements;
   for (const SurfaceElement& element : surface) {
-    const Eigen::Vector2d middle = map_T_truth * element.middle;
+    const Eigen::Vector2d middle = map_T_truth * element.middle();
     const auto distance = [&](int column, int row) {
       if (map.at(column, row) != CellState::kOccupied) return kFar;
       return Distance(Square{CellCenter(map, column, row), 0.5 * map.resolution_m}, middle);
@@ -48,23 +38,19 @@ std::vector<ComparedElement> CompareElements(const std::vector<SurfaceElement>& 
 }
 
 std::vector<ComparedCell> CompareCells(const TrinaryMap& truth, const SeenSpace& seen,
-                                       const std::vector<SurfaceElement>& surface,
                                        const TrinaryMap& map, const backend::SE2& truth_T_map) {
   const backend::SE2 map_T_truth = Inverse(truth_T_map);
-  const std::vector<int> begins = IndexByCell(truth, surface);
   std::vector<ComparedCell> cells;
   for (int row = 0; row < map.height; ++row) {
     for (int column = 0; column < map.width; ++column) {
       if (map.at(column, row) != CellState::kOccupied) continue;
       const Square square{CellCenter(map, column, row), 0.5 * map.resolution_m};
       const auto distance = [&](int true_column, int true_row) {
-        const std::size_t cell = static_cast<std::size_t>(true_row) * truth.width + true_column;
         double nearest = kFar;
-        for (int i = begins[cell]; i < begins[cell + 1]; ++i) {
-          const Segment& edge = surface[i].edge;
-          nearest = std::min(
-              nearest, Distance(square, Segment{map_T_truth * edge.from, map_T_truth * edge.to}));
-        }
+        VisitSurface(truth, true_column, true_row, [&](int, const Segment& edge) {
+          const Segment map_edge{map_T_truth * edge.from, map_T_truth * edge.to};
+          nearest = std::min(nearest, Distance(square, map_edge));
+        });
         return nearest;
       };
       const Eigen::Vector2d center = truth_T_map * square.center;
@@ -88,7 +74,7 @@ MapComparison CompareMaps(const TrinaryMap& truth, const SeenSpace& seen, const 
   comparison.seen = seen;
   comparison.surface = FindSeenSurface(truth, seen);
   comparison.elements = CompareElements(comparison.surface, map, map_T_truth);
-  comparison.cells = CompareCells(truth, seen, comparison.surface, map, truth_T_map);
+  comparison.cells = CompareCells(truth, seen, map, truth_T_map);
   comparison.truth_resolution_m = truth.resolution_m;
   comparison.map_resolution_m = map.resolution_m;
   for (int row = 0; row < truth.height; ++row) {

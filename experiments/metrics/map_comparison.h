@@ -20,7 +20,7 @@ inline constexpr double kDistanceCap_m = 1.0;
 // An occupied cell of the map.
 struct ComparedCell {
   Eigen::Vector2d center;   // in the frame of the true map
-  double distance_m = 0.0;  // from the cell, a square, to the nearest seen true surface
+  double distance_m = 0.0;  // from the cell, a square, to the nearest true surface, seen or not
   bool in_seen_space = false;
 };
 

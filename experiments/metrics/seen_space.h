@@ -11,16 +11,21 @@
 
 namespace gmapping_spa::metrics {
 
-// The free cells of a true map that were in sight.
+// The free cells of a true map that were in sight, and the sides of its other cells where sight
+// ended.
 struct SeenSpace {
   int width = 0, height = 0;        // those of the true map
-  std::vector<std::uint8_t> cells;  // 1: seen
+  std::vector<std::uint8_t> sides;  // of each cell: bit i stands for kSides[i]
+  std::vector<std::uint8_t> seen;   // of each cell: 1 when it is free and was in sight
   int view_points = 0;
 
   // False outside of the map.
   bool IsSeen(int column, int row) const {
     return column >= 0 && column < width && row >= 0 && row < height &&
-           cells[static_cast<std::size_t>(row) * width + column] != 0;
+           seen[static_cast<std::size_t>(row) * width + column] != 0;
+  }
+  bool IsSideSeen(int column, int row, int side) const {
+    return (sides[static_cast<std::size_t>(row) * width + column] >> side & 1) != 0;
   }
 };
 

@@ -19,28 +19,20 @@ constexpr int kNeighbourCells = 3;
 constexpr double kMinSideCells = 2.0;
 constexpr double kMaxOffLineCells = 0.6;  // the steps of a slanted wall are half a cell off
 
-std::vector<SurfaceElement> FindEdges(const TrinaryMap& truth, const SeenSpace& seen) {
-  constexpr std::array<std::array<int, 2>, 4> kNeighbours = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+std::vector<SurfaceElement> FindSurface(const TrinaryMap& truth) {
   std::vector<SurfaceElement> surface;
   for (int row = 0; row < truth.height; ++row) {
     for (int column = 0; column < truth.width; ++column) {
-      if (truth.at(column, row) != CellState::kOccupied) continue;
-      const Eigen::Vector2d center = CellCenter(truth, column, row);
-      for (const auto& [dx, dy] : kNeighbours) {
-        if (!seen.IsSeen(column + dx, row + dy)) continue;
-        const Eigen::Vector2d facing(dx, dy), along(-dy, dx);
-        const double half = 0.5 * truth.resolution_m;
-        const Eigen::Vector2d middle = center + half * facing;
-        surface.push_back({.column = column,
-                           .row = row,
-                           .middle = middle,
-                           .facing = facing,
-                           .edge = {middle - half * along, middle + half * along},
-                           .across = {}});
-      }
+      VisitSurface(truth, column, row, [&](int side, const Segment& edge) {
+        surface.push_back({.column = column, .row = row, .side = side, .edge = edge, .across = {}});
+      });
     }
   }
   return surface;
+}
+
+Eigen::Vector2d Facing(const SurfaceElement& element) {
+  return {kSides[element.side][0], kSides[element.side][1]};
 }
 
 // The normal of the line through the edges near `element`, if there is one; see the header.
@@ -54,11 +46,12 @@ std::optional<Eigen::Vector2d> StraightNormal(const std::vector<SurfaceElement>&
   Eigen::Vector2d mean = Eigen::Vector2d::Zero(), facing = mean;
   const auto end = row_begins(element.row + kNeighbourCells + 1);
   for (auto other = row_begins(element.row - kNeighbourCells); other != end; ++other) {
-    const Eigen::Vector2d point = (other->middle - element.middle) / resolution_m;
-    if (point.norm() > kNeighbourCells + 1e-6 || other->facing.dot(element.facing) < 0.0) continue;
+    const Eigen::Vector2d point = (other->middle() - element.middle()) / resolution_m;
+    if (point.norm() > kNeighbourCells + 1e-6 || Facing(*other).dot(Facing(element)) < 0.0)
+      continue;
     points.push_back(point);
     mean += point;
-    facing += other->facing;
+    facing += Facing(*other);
   }
   mean /= static_cast<double>(points.size());
   Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
@@ -96,19 +89,23 @@ double FreeWay(const TrinaryMap& truth, const Eigen::Vector2d& point,
 }  // namespace
 
 std::vector<SurfaceElement> FindSeenSurface(const TrinaryMap& truth, const SeenSpace& seen) {
-  std::vector<SurfaceElement> surface = FindEdges(truth, seen);
-  for (SurfaceElement& element : surface) {
-    const auto normal = StraightNormal(surface, element, truth.resolution_m);
-    if (!normal) continue;
-    const auto is_seen = [&](int column, int row) { return seen.IsSeen(column, row); };
-    const auto is_solid = [&](int column, int row) {
-      return StateAt(truth, column, row) != CellState::kFree;
-    };
-    element.across = Across{.normal = *normal,
-                            .behind_m = 0.5 * FreeWay(truth, element.middle, -*normal, is_seen),
-                            .in_front_m = 0.5 * FreeWay(truth, element.middle, *normal, is_solid)};
+  const std::vector<SurfaceElement> surface = FindSurface(truth);
+  const auto is_seen = [&](int column, int row) { return seen.IsSeen(column, row); };
+  const auto is_solid = [&](int column, int row) {
+    return StateAt(truth, column, row) != CellState::kFree;
+  };
+  std::vector<SurfaceElement> seen_surface;
+  for (SurfaceElement element : surface) {
+    if (!seen.IsSideSeen(element.column, element.row, element.side)) continue;
+    if (const auto normal = StraightNormal(surface, element, truth.resolution_m)) {
+      const Eigen::Vector2d middle = element.middle();
+      element.across = {.normal = *normal,
+                        .behind_m = 0.5 * FreeWay(truth, middle, -*normal, is_seen),
+                        .in_front_m = 0.5 * FreeWay(truth, middle, *normal, is_solid)};
+    }
+    seen_surface.push_back(element);
   }
-  return surface;
+  return seen_surface;
 }
 
 }  // namespace gmapping_spa::metrics

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "experiments/metrics/cell_distance.h"
+#include "experiments/metrics/map_cells.h"
 #include "experiments/metrics/seen_space.h"
 #include "frontend/map/trinary_map.h"
 
@@ -23,22 +24,39 @@ struct Across {
   double in_front_m = 0.0;  // half way to the next thing in front
 };
 
-// One edge of one cell.
+// One edge of one cell, in the frame of the true map.
 struct SurfaceElement {
   int column = 0, row = 0;  // the occupied cell
-  Eigen::Vector2d middle;   // in the frame of the true map
-  Eigen::Vector2d facing;   // unit, from the occupied cell to the free one
+  int side = 0;             // kSides[side] leads to the free cell
   Segment edge;
+
+  Eigen::Vector2d middle() const { return 0.5 * (edge.from + edge.to); }
+
   std::optional<Across> across;  // only where the surface is straight
 };
 
 // What is farther than this from a surface has nothing to do with it.
 inline constexpr double kReach_m = 0.5;
 
-// Every edge between an occupied cell and a seen free one, by rows and columns of occupied cells.
-// The surface is straight at an edge when the edges around it, within three cells and not facing
-// the other way, reach two cells or more to both sides and lie within 0.6 cells of their line of
-// least squares. `across` reaches kReach_m at most.
+// Calls visit(side, edge) for the edges between an occupied cell of the true map and free ones.
+template <typename Visit>
+void VisitSurface(const map::TrinaryMap& truth, int column, int row, const Visit& visit) {
+  if (truth.at(column, row) != map::CellState::kOccupied) return;
+  const Eigen::Vector2d center = CellCenter(truth, column, row);
+  const double half = 0.5 * truth.resolution_m;
+  for (int side = 0; side < 4; ++side) {
+    const auto [dx, dy] = kSides[side];
+    if (StateAt(truth, column + dx, row + dy) != map::CellState::kFree) continue;
+    const Eigen::Vector2d middle = center + half * Eigen::Vector2d(dx, dy);
+    const Eigen::Vector2d along = half * Eigen::Vector2d(-dy, dx);
+    visit(side, Segment{middle - along, middle + along});
+  }
+}
+
+// Every edge between an occupied cell and a free one at which sight ended, by rows and columns of
+// occupied cells. The surface is straight at an edge when the edges around it, seen or not, within
+// three cells and not facing the other way, reach two cells or more to both sides and lie within
+// 0.6 cells of their line of least squares. `across` reaches kReach_m at most.
 std::vector<SurfaceElement> FindSeenSurface(const map::TrinaryMap& truth, const SeenSpace& seen);
 
 }  // namespace gmapping_spa::metrics
