@@ -31,8 +31,9 @@ std::vector<ComparedElement> CompareElements(const std::vector<SurfaceElement>& 
     ComparedElement& compared = elements.emplace_back();
     compared.distance_m = SearchRings(map, middle, kDistanceCap_m, 0.0, distance);
     if (!element.across) continue;
-    compared.band = FindWallBand(map, middle, rotation * element.across->normal,
-                                 element.across->behind_m, element.across->in_front_m);
+    Across across = *element.across;
+    across.normal = rotation * across.normal;
+    compared.band = FindWallBand(map, middle, across);
   }
   return elements;
 }

@@ -124,7 +124,7 @@ std::vector<double> CornerStrength(const TrinaryMap& map) {
 }
 
 int CountCorners(const TrinaryMap& map) {
-  constexpr double kMinStrength = 1.0;
+  constexpr double kMinStrength = 0.5 * 11047.0;  // the corner of a wide wall has 11047
   constexpr int kRadius = 3;
   const std::vector<double> strength = CornerStrength(map);
   int corners = 0;

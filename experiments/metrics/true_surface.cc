@@ -16,7 +16,7 @@ using map::CellState;
 using map::TrinaryMap;
 
 constexpr int kNeighbourCells = 3;
-constexpr double kMinSideCells = 2.0;
+constexpr double kSideCells = 2.0;
 constexpr double kMaxOffLineCells = 0.6;  // the steps of a slanted wall are half a cell off
 
 std::vector<SurfaceElement> FindSurface(const TrinaryMap& truth) {
@@ -66,7 +66,7 @@ std::optional<Eigen::Vector2d> StraightNormal(const std::vector<SurfaceElement>&
     first = std::min(first, p.dot(along));
     last = std::max(last, p.dot(along));
   }
-  const double side = kMinSideCells - 1e-6;
+  const double side = kSideCells - 1e-6;
   if (-first < side || last < side) return std::nullopt;
   return normal;
 }
@@ -100,6 +100,7 @@ std::vector<SurfaceElement> FindSeenSurface(const TrinaryMap& truth, const SeenS
     if (const auto normal = StraightNormal(surface, element, truth.resolution_m)) {
       const Eigen::Vector2d middle = element.middle();
       element.across = {.normal = *normal,
+                        .half_length_m = kSideCells * truth.resolution_m,
                         .behind_m = 0.5 * FreeWay(truth, middle, -*normal, is_seen),
                         .in_front_m = 0.5 * FreeWay(truth, middle, *normal, is_solid)};
     }

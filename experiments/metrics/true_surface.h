@@ -17,11 +17,12 @@
 
 namespace gmapping_spa::metrics {
 
-// How far along the normal of a straight surface it is the nearest one.
+// Around a point of straight surface: how far this is the nearest surface.
 struct Across {
-  Eigen::Vector2d normal;   // unit, into free space
-  double behind_m = 0.0;    // half way to the seen free space behind the wall
-  double in_front_m = 0.0;  // half way to the next thing in front
+  Eigen::Vector2d normal;      // unit, into free space
+  double half_length_m = 0.0;  // along the wall, to both sides
+  double behind_m = 0.0;       // half way to the seen free space behind the wall
+  double in_front_m = 0.0;     // half way to the next thing in front
 };
 
 // One edge of one cell, in the frame of the true map.

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "experiments/metrics/true_surface.h"
 #include "frontend/map/trinary_map.h"
 
 namespace gmapping_spa::metrics {
@@ -19,12 +20,12 @@ struct WallBand {
   double distance_m() const { return begin_m > 0.0 ? begin_m : end_m < 0.0 ? -end_m : 0.0; }
 };
 
-// The run of occupied cells nearest to `surface` on the line along `normal`, which reaches
-// behind_m into the wall and in_front_m out of it; the band is cut off at its ends. Nothing when no
-// cell of the line is occupied. Point and unit normal are in the frame of the map.
+// The band across the stretch of wall around `surface`, a point in the frame of the map, as is the
+// normal of `across`. Lines along the normal, a cell of the map apart, cover the stretch and reach
+// as far as `across` says; where any of them is in an occupied cell, there is band. Of several
+// bands that do not touch it is the one nearest to the surface. Nothing when no line meets any.
 std::optional<WallBand> FindWallBand(const map::TrinaryMap& map, const Eigen::Vector2d& surface,
-                                     const Eigen::Vector2d& normal, double behind_m,
-                                     double in_front_m);
+                                     const Across& across);
 
 }  // namespace gmapping_spa::metrics
 
