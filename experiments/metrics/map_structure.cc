@@ -28,26 +28,36 @@ bool AnyAround(int column, int row, const Test& test) {
   return false;
 }
 
-// Morphological closing of the occupied cells: dilation, then erosion.
-TrinaryMap Close(const TrinaryMap& map) {
-  const auto is_dilated = [&](int column, int row) {
-    return AnyAround(column, row, [&](int x, int y) { return IsOccupied(map, x, y); });
-  };
-  // One cell wider on all sides, so that the erosion sees what was dilated over the edge.
-  TrinaryMap dilated{map.width + 2, map.height + 2, 1.0, 0.0, 0.0, {}};
-  dilated.cells.assign(static_cast<std::size_t>(dilated.width) * dilated.height,
-                       CellState::kUnknown);
-  for (int row = 0; row < dilated.height; ++row) {
-    for (int column = 0; column < dilated.width; ++column) {
-      if (is_dilated(column - 1, row - 1)) dilated.at(column, row) = CellState::kOccupied;
-    }
-  }
-  TrinaryMap closed = map;
+// With a frame of unknown cells: maps end at their outermost walls, which have corners too.
+TrinaryMap Framed(const TrinaryMap& map) {
+  constexpr int kFrame = 3;  // reach of the sums of derivatives
+  TrinaryMap framed = map;
+  framed.width += 2 * kFrame;
+  framed.height += 2 * kFrame;
+  framed.cells.assign(static_cast<std::size_t>(framed.width) * framed.height, CellState::kUnknown);
   for (int row = 0; row < map.height; ++row) {
     for (int column = 0; column < map.width; ++column) {
-      const bool eroded =
-          AnyAround(column + 1, row + 1, [&](int x, int y) { return !IsOccupied(dilated, x, y); });
-      if (!eroded) closed.at(column, row) = CellState::kOccupied;
+      framed.at(column + kFrame, row + kFrame) = map.at(column, row);
+    }
+  }
+  return framed;
+}
+
+// Morphological closing of the occupied cells: dilation, then erosion.
+TrinaryMap Closed(const TrinaryMap& map) {
+  TrinaryMap dilated = map, closed = map;
+  for (int row = 0; row < map.height; ++row) {
+    for (int column = 0; column < map.width; ++column) {
+      if (AnyAround(column, row, [&](int x, int y) { return IsOccupied(map, x, y); })) {
+        dilated.at(column, row) = CellState::kOccupied;
+      }
+    }
+  }
+  for (int row = 0; row < map.height; ++row) {
+    for (int column = 0; column < map.width; ++column) {
+      if (!AnyAround(column, row, [&](int x, int y) { return !IsOccupied(dilated, x, y); })) {
+        closed.at(column, row) = CellState::kOccupied;
+      }
     }
   }
   return closed;
@@ -153,7 +163,7 @@ int CountCorners(const TrinaryMap& map) {
 }  // namespace
 
 MapStructure MeasureStructure(const TrinaryMap& map) {
-  const TrinaryMap closed = Close(map);
+  const TrinaryMap closed = Closed(Framed(map));
   return {.occupied_cells = static_cast<int>(
               std::count(map.cells.begin(), map.cells.end(), CellState::kOccupied)),
           .enclosed_areas = CountEnclosedAreas(closed),

@@ -25,6 +25,14 @@ TEST(MapStructure, OfARoomIsFourCornersAndOneArea) {
   EXPECT_EQ(structure.enclosed_areas, 1);
 }
 
+TEST(MapStructure, IsTheSameWhenTheMapEndsAtTheWalls) {
+  TrinaryMap map = UnknownMap(40, 30);
+  Fill(0, 0, 40, 30, CellState::kOccupied, &map);
+  Fill(1, 1, 39, 29, CellState::kFree, &map);
+  EXPECT_EQ(MeasureStructure(map).corners, 4);
+  EXPECT_EQ(MeasureStructure(map).enclosed_areas, 1);
+}
+
 TEST(MapStructure, OfADividedRoomIsTwoAreas) {
   TrinaryMap map = Room();
   Fill(30, 10, 31, 40, CellState::kOccupied, &map);

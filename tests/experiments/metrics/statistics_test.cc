@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace gmapping_spa::metrics {
 namespace {
@@ -28,6 +29,15 @@ TEST(Statistics, ASmallSpreadOfLargeErrorsIsKept) {
 
 TEST(Statistics, OfNothingAreAnError) {
   EXPECT_THROW(ComputeStatistics({}), std::invalid_argument);
+}
+
+TEST(MeanAndP95, IsNotExceededByNineteenOfTwenty) {
+  std::vector<double> errors;
+  for (int i = 40; i > 0; --i) errors.push_back(i);
+  EXPECT_DOUBLE_EQ(ComputeMeanAndP95(errors)->mean, 20.5);
+  EXPECT_DOUBLE_EQ(ComputeMeanAndP95(errors)->p95, 38.0);
+  EXPECT_DOUBLE_EQ(ComputeMeanAndP95({3.0, 1.0})->p95, 3.0);
+  EXPECT_FALSE(ComputeMeanAndP95({}));
 }
 
 }  // namespace
