@@ -49,7 +49,7 @@ void DrawSeenSpace(cairo_t* cairo, const map::TrinaryMap& truth, const metrics::
 void DrawCells(cairo_t* cairo, const MapComparison& comparison, double tolerance_m, bool right) {
   SetColor(cairo, right ? kRight : kOff);
   for (const metrics::ComparedCell& cell : comparison.cells) {
-    if ((cell.distance_m <= tolerance_m) != right) continue;
+    if (metrics::IsWithin(cell.distance_m, tolerance_m) != right) continue;
     FillSquare(cairo, cell.center.x(), cell.center.y(), comparison.map_resolution_m);
   }
 }
@@ -58,7 +58,7 @@ void DrawSurface(cairo_t* cairo, const MapComparison& comparison, double toleran
   SetColor(cairo, found ? kFound : kMissing);
   cairo_set_line_width(cairo, (found ? 0.6 : 2.0) * comparison.truth_resolution_m);
   for (std::size_t i = 0; i < comparison.surface.size(); ++i) {
-    if ((comparison.elements[i].distance_m <= tolerance_m) != found) continue;
+    if (metrics::IsWithin(comparison.elements[i].distance_m, tolerance_m) != found) continue;
     const metrics::Segment& edge = comparison.surface[i].edge;
     cairo_move_to(cairo, edge.from.x(), edge.from.y());
     cairo_line_to(cairo, edge.to.x(), edge.to.y());

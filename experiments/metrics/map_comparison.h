@@ -17,6 +17,9 @@ namespace gmapping_spa::metrics {
 // Distances are not looked for beyond this, which stands for all larger ones.
 inline constexpr double kDistanceCap_m = 1.0;
 
+// Limits often are multiples of a cell, as distances are; rounding must not decide.
+inline bool IsWithin(double distance_m, double limit_m) { return distance_m <= limit_m + 1e-9; }
+
 // An occupied cell of the map.
 struct ComparedCell {
   Eigen::Vector2d center;   // in the frame of the true map

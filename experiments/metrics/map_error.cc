@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace gmapping_spa::metrics {
 namespace {
-
-constexpr double kRounding_m = 1e-9;
 
 std::optional<double> Part(std::ptrdiff_t part, std::size_t whole) {
   if (whole == 0) return std::nullopt;
@@ -17,10 +16,9 @@ std::optional<double> Part(std::ptrdiff_t part, std::size_t whole) {
 // Part of the items with distance_m up to `limit_m`.
 template <typename Item>
 std::optional<double> PartWithin(const std::vector<Item>& items, double limit_m) {
-  return Part(
-      std::count_if(items.begin(), items.end(),
-                    [&](const Item& item) { return item.distance_m <= limit_m + kRounding_m; }),
-      items.size());
+  return Part(std::count_if(items.begin(), items.end(),
+                            [&](const Item& item) { return IsWithin(item.distance_m, limit_m); }),
+              items.size());
 }
 
 template <typename Item>
@@ -52,13 +50,13 @@ MapErrors SummarizeErrors(const MapComparison& comparison, double tolerance_m) {
   errors.extra =
       Part(std::count_if(cells.begin(), cells.end(),
                          [&](const ComparedCell& cell) {
-                           return cell.in_seen_space && cell.distance_m > tolerance_m + kRounding_m;
+                           return cell.in_seen_space && !IsWithin(cell.distance_m, tolerance_m);
                          }),
            cells.size());
   errors.outside =
       Part(std::count_if(cells.begin(), cells.end(),
                          [&](const ComparedCell& cell) {
-                           return !cell.in_seen_space && cell.distance_m > kReach_m + kRounding_m;
+                           return !cell.in_seen_space && !IsWithin(cell.distance_m, kReach_m);
                          }),
            cells.size());
 
