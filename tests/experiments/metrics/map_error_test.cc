@@ -143,6 +143,18 @@ TEST(MapError, OfACellWhereNothingCouldBeSeenIsOutside) {
   EXPECT_EQ(errors.extra, 0.0);
 }
 
+TEST(MapError, OfAGhostFarFromAllWallsIsExtraAndNotOutside) {
+  TrinaryMap truth = UnknownMap(kColumns, 60);
+  Fill(0, 0, kColumns, 1, CellState::kOccupied, &truth);
+  Fill(0, 1, kColumns, 60, CellState::kFree, &truth);
+  TrinaryMap map = truth;
+  map.at(30, 50) = CellState::kOccupied;
+  const MapErrors errors = ErrorsOf(truth, map);
+  EXPECT_NEAR(*errors.extra, 1.0 / 61.0, kNear);
+  EXPECT_EQ(errors.outside, 0.0);
+  EXPECT_NEAR(errors.map_to_truth_m->mean, kDistanceCap_m / 61.0, kNear) << "it is 2.45 m off";
+}
+
 TEST(MapError, OfUnknownSpaceIsItsPartOfTheSeenCells) {
   TrinaryMap map = Corridor();
   Fill(0, kBottomWall + 1, 15, kTopWall, CellState::kUnknown, &map);

@@ -58,7 +58,7 @@ TEST(MapStructure, ADoubledWallEnclosesAPocketAndHasCornersOfItsOwn) {
 
 TEST(MapStructure, NoiseOfSingleCellsAlongAWallIsNoCorner) {
   TrinaryMap map = Room();
-  for (int column = 14; column < 46; column += 5) map.at(column, 11) = CellState::kOccupied;
+  for (int column = 14; column < 46; column += 8) map.at(column, 11) = CellState::kOccupied;
   EXPECT_EQ(MeasureStructure(map).corners, 4);
 }
 

@@ -59,20 +59,20 @@ TEST(TrueSurface, IsStraightAwayFromCorners) {
 }
 
 TEST(TrueSurface, ReachesHalfWayIntoAThinWallAndANarrowGap) {
-  // From bottom to top: solid, a gap of 8 cells, a wall of 4, 12 free cells.
+  // From bottom to top: solid, a gap of 8 cells, a wall of 2, 12 free cells.
   map::TrinaryMap map = UnknownMap(40, 30);
   Fill(0, 0, 40, 1, CellState::kOccupied, &map);
   Fill(0, 1, 40, 9, CellState::kFree, &map);
-  Fill(0, 9, 40, 13, CellState::kOccupied, &map);
-  Fill(0, 13, 40, 25, CellState::kFree, &map);
+  Fill(0, 9, 40, 11, CellState::kOccupied, &map);
+  Fill(0, 11, 40, 23, CellState::kFree, &map);
   const auto both_sides = Surface(map, {{1.0, 0.25}, {1.0, 0.95}});
   int checked = 0;
   for (const SurfaceElement& element : both_sides) {
     if (!element.across) continue;
     const double y = element.middle().y();
-    const bool below = std::abs(y - 0.45) < 1e-9, above = std::abs(y - 0.65) < 1e-9;
+    const bool below = std::abs(y - 0.45) < 1e-9, above = std::abs(y - 0.55) < 1e-9;
     if (!below && !above) continue;
-    EXPECT_NEAR(element.across->behind_m, 0.1, 1e-9);
+    EXPECT_NEAR(element.across->behind_m, 0.05, 1e-9);
     EXPECT_NEAR(element.across->in_front_m, below ? 0.2 : 0.3, 1e-9);
     ++checked;
   }

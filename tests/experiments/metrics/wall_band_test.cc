@@ -67,6 +67,16 @@ TEST(WallBand, JoinsCellsSideBySideInTheStretch) {
   EXPECT_NEAR(BandOf(map)->width_m(), 0.15, 1e-9);
 }
 
+TEST(WallBand, CoversTheStretchOnBothSides) {
+  // The wall is a step higher on one side of the point than on the other.
+  for (const bool left_is_higher : {false, true}) {
+    map::TrinaryMap map = UnknownMap(40, 40);
+    Fill(0, left_is_higher ? 20 : 19, 10, left_is_higher ? 21 : 20, CellState::kOccupied, &map);
+    Fill(11, left_is_higher ? 19 : 20, 40, left_is_higher ? 20 : 21, CellState::kOccupied, &map);
+    EXPECT_NEAR(BandOf(map)->width_m(), 0.1, 1e-9);
+  }
+}
+
 TEST(WallBand, EndsWhereTheNextSurfaceBegins) {
   const map::TrinaryMap map = WallOfRows(0, 40);
   const auto band = BandOf(map, 0.1, 0.3);
