@@ -1,0 +1,59 @@
+"""The metrics that a study can show: key, label, unit, and which direction is better."""
+import dataclasses
+from typing import Literal
+
+Direction = Literal["lower", "higher", "none"]
+
+
+@dataclasses.dataclass(frozen=True)
+class Metric:
+    key: str
+    label: str
+    unit: str
+    better: Direction
+
+
+_TABLE = [
+    # Hand-checked relations of the Freiburg benchmark.
+    ("relation_error_m", "mean relation error", "m", "lower"),
+    ("relation_std_m", "standard deviation of the relation error", "m", "lower"),
+    ("relation_median_m", "median relation error", "m", "lower"),
+    ("relation_rotation_deg", "mean rotation error of relations", "deg", "lower"),
+    ("relations_used", "relations used", "", "none"),
+    # Trajectory against truth.
+    ("ate_rmse_m", "RMSE of the position (ATE)", "m", "lower"),
+    ("ate_max_m", "largest position error", "m", "lower"),
+    ("heading_rmse_deg", "RMSE of the heading", "deg", "lower"),
+    ("rpe_m_per_m", "relative error (RPE) over 1 m", "m/m", "lower"),
+    # Map against truth, where the robot could see.
+    ("map_blur_m", "boundary blur", "m", "lower"),
+    ("map_missing", "missing boundary", "", "lower"),
+    ("map_shift_m", "boundary shift", "m", "lower"),
+    ("map_shift_p95_m", "boundary shift, 95th percentile", "m", "lower"),
+    ("map_extra", "occupied where truth is free", "", "lower"),
+    ("map_precision", "precision of occupied cells", "", "higher"),
+    ("map_recall", "recall of occupied cells", "", "higher"),
+    ("map_iou", "overlap (IoU) of occupied cells", "", "higher"),
+    ("map_to_truth_m", "distance from map to truth", "m", "lower"),
+    ("map_to_truth_p95_m", "distance from map to truth, 95th percentile", "m", "lower"),
+    ("truth_to_map_m", "distance from truth to map", "m", "lower"),
+    ("truth_to_map_p95_m", "distance from truth to map, 95th percentile", "m", "lower"),
+    ("map_known", "known part", "", "higher"),
+    # Map alone.
+    ("map_occupied_cells", "occupied cells", "", "none"),
+    ("map_enclosed_areas", "enclosed areas", "", "none"),
+    ("map_corners", "corners", "", "none"),
+    # Cost and counts.
+    ("cpu_s", "CPU time", "s", "lower"),
+    ("wall_s", "time from start to end", "s", "lower"),
+    ("peak_memory_mb", "peak memory", "MB", "lower"),
+    ("updates", "updates of the filter", "", "none"),
+    ("closures_accepted", "loop closures taken", "", "none"),
+    ("closures_rejected", "loop closures refused", "", "none"),
+    ("scans", "scans", "", "none"),
+]
+
+METRICS = {row[0]: Metric(*row) for row in _TABLE}
+
+# Differ from one execution of the same run to the next.
+TIMES = {"cpu_s", "wall_s", "peak_memory_mb"}

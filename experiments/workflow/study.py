@@ -1,0 +1,268 @@
+"""A study: which runs one YAML file asks for. Complains in one line before anything runs."""
+from __future__ import annotations
+
+import dataclasses
+import itertools
+import pathlib
+from typing import Any
+
+import flags
+import ids
+import logs
+from metrics import METRICS
+from yaml_entry import Entry, StudyError, did_you_mean, read_yaml
+
+__all__ = ["Cell", "Run", "Study", "StudyError", "load_study"]
+
+FLAGS = logs.ROOT / "experiments" / "flags"
+KEYS = ["title", "description", "logs", "seeds", "flags", "variants", "axes", "metrics", "compare"]
+LOG_KEYS = ["carmen", "world", "path", "obstacles", "simulate"]
+SIMULATE = "simulate."  # begins the name of an axis over a flag of the simulator
+RESERVED = {
+    "log": "the study's 'logs'",
+    "seed": "the study's 'seeds'",
+    "output_dir": "the workflow",
+}
+
+
+@dataclasses.dataclass(frozen=True)
+class Variant:
+    flagfile: pathlib.Path | None
+    flags: dict[str, flags.Value]
+
+
+@dataclasses.dataclass(frozen=True)
+class Cell:
+    """One log, one variant, one value of each axis: what the seeds of a comparison share."""
+    log: str
+    variant: str
+    axes: dict[str, flags.Value]
+
+    def label(self) -> str:
+        values = [f"{name}={flags.as_text(value)}" for name, value in self.axes.items()]
+        return ", ".join([self.log, *([self.variant] if self.variant else []), *values])
+
+    def coordinates(self) -> dict[str, Any]:
+        """What a selector can name: log, variant and axes."""
+        return {"log": self.log, "variant": self.variant, **self.axes}
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """A cell with a seed."""
+    id: str
+    cell: Cell
+    seed: int
+    log_id: str | None  # of a simulated log
+    log_argv: list[str] | None  # arguments of `simulate` that make it, without --output_dir
+    log_file: pathlib.Path | None  # of a real log
+    relations: pathlib.Path | None  # that score a real log
+    argv: list[str]  # arguments of `gmapping_spa`, without --log and --output_dir
+
+
+@dataclasses.dataclass(frozen=True)
+class Study:
+    name: str
+    path: pathlib.Path
+    title: str
+    description: str
+    metrics: list[str]
+    compare: list[tuple[dict[str, Any], dict[str, Any]]]
+    cells: list[Cell]
+    seeds: list[int]
+    runs: list[Run]
+
+    def select(self, selector: dict[str, Any]) -> list[Cell]:
+        """The cells with these coordinates."""
+        return [cell for cell in self.cells if selector.items() <= cell.coordinates().items()]
+
+
+def load_study(path: pathlib.Path, binaries: pathlib.Path, data: pathlib.Path,
+               quick: bool = False) -> Study:
+    """Reads and checks the study, its quick version included, and returns one of the two."""
+    path = pathlib.Path(path)
+    reader = _Reader(path, pathlib.Path(binaries), pathlib.Path(data))
+    return reader.quick if quick else reader.full
+
+
+class _Reader:
+    def __init__(self, path: pathlib.Path, binaries: pathlib.Path, data: pathlib.Path):
+        self.slam_flags = flags.read_flags(binaries / "gmapping_spa")
+        self.simulator_flags = flags.read_flags(binaries / "simulate")
+        self.path, self.data = path, data
+        self.root = read_yaml(path)
+        parts = self.root.mapping([*KEYS, "quick"])
+        changes = parts.pop("quick").mapping(KEYS) if "quick" in parts else {}
+        log_parts = self._log_parts(parts)
+        self.full = self._study(parts, log_parts, compared_must_exist=True)
+        log_parts = _merged(log_parts, self._log_parts(changes))
+        self.quick = self._study(parts | changes, log_parts,
+                                 compared_must_exist="compare" in changes)
+
+    def _log_parts(self, parts: dict[str, Entry]) -> dict[str, tuple[Entry, dict[str, Entry]]]:
+        """Each log's entry and its parts; none for `null`, which leaves a log out when quick."""
+        if "logs" not in parts:
+            return {}
+        return {name: (entry, {} if entry.is_null() else entry.mapping(LOG_KEYS))
+                for name, entry in parts["logs"].mapping().items()}
+
+    def _study(self, parts: dict[str, Entry], log_parts: dict[str, tuple[Entry, dict[str, Entry]]],
+               compared_must_exist: bool) -> Study:
+        for key in ("title", "logs", "seeds", "metrics"):
+            if key not in parts:
+                self.root.fail(f"'{key}' is missing")
+        sources = {name: logs.read_log(entry, below, self.data, self.simulator_flags)
+                   for name, (entry, below) in log_parts.items()}
+        if not sources:
+            parts["logs"].fail("expected one log or more, found none")
+        common = self._slam_flags(parts["flags"]) if "flags" in parts else {}
+        variants = self._variants(parts["variants"]) if "variants" in parts else {
+            "": Variant(None, {})}
+        axes = self._axes(parts["axes"], sources, common, variants) if "axes" in parts else {}
+        seeds = _seeds(parts["seeds"])
+        cells = [Cell(log, variant, dict(zip(axes, values)))
+                 for log in sources for variant in variants
+                 for values in itertools.product(*axes.values())]
+        study = Study(
+            name=self.path.stem, path=self.path, title=parts["title"].text(),
+            description=parts["description"].text() if "description" in parts else "",
+            metrics=_metrics(parts["metrics"]), compare=[], cells=cells, seeds=seeds,
+            runs=[_run(cell, seed, sources[cell.log], common, variants[cell.variant])
+                  for cell in cells for seed in seeds])
+        if "compare" in parts:
+            study.compare.extend(_compare(parts["compare"], study, compared_must_exist))
+        return study
+
+    def _slam_flags(self, entry: Entry) -> dict[str, flags.Value]:
+        return logs.read_flag_values(entry, self.slam_flags, RESERVED)
+
+    def _variants(self, entry: Entry) -> dict[str, Variant]:
+        variants = {}
+        known = {**self.slam_flags, "flagfile": "string"}
+        for name, below in entry.mapping().items():
+            values = logs.read_flag_values(below, known, RESERVED)
+            file = None
+            if values.pop("flagfile", None):
+                file = logs.find_file(below.mapping()["flagfile"], self.path.parent, FLAGS)
+            variants[name] = Variant(file, values)
+        if not variants:
+            entry.fail("expected one variant or more, found none")
+        return variants
+
+    def _axes(self, entry: Entry, sources: dict[str, logs.CarmenLog | logs.SimulatedLog],
+              common: dict[str, flags.Value],
+              variants: dict[str, Variant]) -> dict[str, list[flags.Value]]:
+        axes = {}
+        for name, values in entry.mapping().items():
+            if name.startswith(SIMULATE):
+                flag, known, reserved = (
+                    name.removeprefix(SIMULATE), self.simulator_flags, logs.RESERVED)
+                for log, source in sources.items():
+                    if isinstance(source, logs.CarmenLog):
+                        values.fail(f"is for simulated logs; '{log}' is a recorded one")
+            else:
+                flag, known, reserved = name, self.slam_flags, RESERVED
+                for label, others in [("'flags'", common)] + [
+                        (f"variant '{v}'", variant.flags) for v, variant in variants.items()]:
+                    if name in others:
+                        values.fail(f"is an axis, and set by {label} as well")
+            flags.check_name(flag, values, known, reserved)
+            axes[name] = [flags.value_of(value, known[flag]) for value in values.sequence()]
+            if not axes[name] or len(set(axes[name])) < len(axes[name]):
+                values.fail("expected different values, one or more")
+        return axes
+
+
+def _merged(logs_above: dict, logs_quick: dict) -> dict:
+    """Quick logs by name over those above; the flags of `simulate` are merged as well."""
+    merged = dict(logs_above)
+    for name, (entry, parts) in logs_quick.items():
+        if entry.is_null():
+            merged.pop(name, None)
+            continue
+        _, above = merged.get(name, (entry, {}))
+        together = above | parts
+        if "simulate" in above and "simulate" in parts:
+            together["simulate"] = above["simulate"].merged(parts["simulate"])
+        merged[name] = (entry, together)
+    return merged
+
+
+def _seeds(entry: Entry) -> list[int]:
+    """From a list, one number or a range such as 1-20."""
+    if entry.is_sequence():
+        seeds = [flags.value_of(value, "uint32") for value in entry.sequence()]
+    else:
+        first, _, last = entry.text().partition("-")
+        if not first.isdecimal() or not (last or first).isdecimal():
+            entry.fail(f"expected seeds such as 1-20 or [1, 2, 3], found {entry.found()}")
+        seeds = list(range(int(first), int(last or first) + 1))
+    if not seeds or len(set(seeds)) < len(seeds):
+        entry.fail(f"expected different seeds, one or more, found {entry.found()}")
+    return seeds
+
+
+def _metrics(entry: Entry) -> list[str]:
+    names = []
+    for value in entry.sequence():
+        name = value.text()
+        if name not in METRICS:
+            value.fail(f"unknown metric '{name}'{did_you_mean(name, METRICS)}")
+        names.append(name)
+    if not names:
+        entry.fail("expected one metric or more, found none")
+    return names
+
+
+def _compare(entry: Entry, study: Study,
+             must_exist: bool) -> list[tuple[dict[str, Any], dict[str, Any]]]:
+    """Pairs of selectors; without `must_exist`, those that select nothing are left out."""
+    pairs = []
+    for pair in entry.sequence():
+        sides = [_selector(side, study) for side in pair.sequence()]
+        if len(sides) != 2:
+            pair.fail(f"expected two selectors, found {len(sides)}")
+        missing = [side for side, selector in zip(pair.sequence(), sides)
+                   if not study.select(selector)]
+        if missing and must_exist:
+            missing[0].fail("selects no cell of the study")
+        if not missing:
+            pairs.append((sides[0], sides[1]))
+    return pairs
+
+
+def _selector(entry: Entry, study: Study) -> dict[str, Any]:
+    known = list(study.cells[0].coordinates())
+    selector = {}
+    for name, value in entry.mapping(known).items():
+        as_written = value.scalar()
+        # As the axis has it: 1 for 1.0, and the text of a flag whose value looks like a number.
+        selector[name] = next(
+            (v for v in {c.coordinates()[name] for c in study.cells}
+             if v == as_written or flags.as_text(v) == value.text()), as_written)
+    return selector
+
+
+def _run(cell: Cell, seed: int, source: logs.CarmenLog | logs.SimulatedLog,
+         common: dict[str, flags.Value], variant: Variant) -> Run:
+    slam = common | variant.flags | {
+        name: value for name, value in cell.axes.items() if not name.startswith(SIMULATE)}
+    argv = [*([f"--flagfile={variant.flagfile}"] if variant.flagfile else []),
+            *flags.as_arguments(slam), f"--seed={seed}"]
+    simulated = isinstance(source, logs.SimulatedLog)
+    if simulated:
+        source = dataclasses.replace(source, flags=source.flags | {
+            name.removeprefix(SIMULATE): value for name, value in cell.axes.items()
+            if name.startswith(SIMULATE)})
+        log = source.content_id(seed)
+    else:
+        log = source.content_id()
+    return Run(
+        id=ids.content_id(log, flags.as_arguments(slam),
+                          ids.file_hash(variant.flagfile) if variant.flagfile else None, seed),
+        cell=cell, seed=seed,
+        log_id=log if simulated else None,
+        log_argv=source.argv(seed) if simulated else None,
+        log_file=None if simulated else source.file,
+        relations=None if simulated else source.relations,
+        argv=argv)
