@@ -19,6 +19,7 @@ def file_hash(file: pathlib.Path) -> str:
     return hashlib.sha256(file.read_bytes()).hexdigest()
 
 
+@functools.cache
 def world_hash(world: pathlib.Path) -> str:
     """Of the world file and, if it names an image, of that."""
     try:

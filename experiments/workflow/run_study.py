@@ -105,8 +105,8 @@ def main() -> None:
         sys.exit(f"run_study.py: error: {error}")
     words = [
         "snakemake", f"--snakefile={HERE / 'Snakefile'}", f"--directory={args.work_dir}",
-        f"--jobs={args.jobs}", "--keep-going", "--quiet", "rules", "--scheduler=greedy",
-        "--rerun-triggers", "mtime",
+        f"--jobs={args.jobs}", "--keep-going", "--scheduler=greedy",
+        "--rerun-triggers", "mtime", f"--log-handler-script={HERE / 'progress.py'}",
         # Outputs appear whole, and the folder is locked already.
         "--ignore-incomplete", "--nolock",
         *([f"--profile={args.profile.resolve()}"] if args.profile else []),
