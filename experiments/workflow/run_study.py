@@ -32,7 +32,8 @@ def parse_arguments() -> argparse.Namespace:
                         help="runs side by side; default: one a core")
     parser.add_argument("--profile", type=pathlib.Path,
                         help="a Snakemake profile, such as experiments/profiles/slurm")
-    parser.add_argument("--runs_only", action="store_true", help="no scores and no report")
+    parser.add_argument("--until", choices=["runs", "scores", "report"], default="report",
+                        help="where to stop")
     parser.add_argument("--fresh", action="store_true", help="does finished runs again")
     parser.add_argument("--data", type=pathlib.Path, default=pathlib.Path(
         os.environ.get("GMAPPING_SPA_DATA", ROOT.parent / "shared" / "data")),
@@ -80,7 +81,7 @@ def prepare(args: argparse.Namespace) -> None:
     """Checks all, then writes what the workflow reads."""
     studies = [load_study(path, args.bin, args.data, args.quick) for path in args.studies]
     plan = plans.make_plan(studies, args.bin, args.data, args.quick)
-    versions = None if args.runs_only else evaluators(args)
+    versions = None if args.until == "runs" else evaluators(args)
     work = args.work_dir
     work.mkdir(parents=True, exist_ok=True)
     lock(work)
@@ -106,11 +107,12 @@ def main() -> None:
     words = [
         "snakemake", f"--snakefile={HERE / 'Snakefile'}", f"--directory={args.work_dir}",
         f"--jobs={args.jobs}", "--keep-going", "--scheduler=greedy",
-        "--rerun-triggers", "mtime", f"--log-handler-script={HERE / 'progress.py'}",
+        "--rerun-triggers", "mtime",
+        f"--log-handler-script={HERE / 'progress.py'}",
         # Outputs appear whole, and the folder is locked already.
         "--ignore-incomplete", "--nolock",
         *([f"--profile={args.profile.resolve()}"] if args.profile else []),
-        "runs" if args.runs_only else "report"]
+        args.until]
     os.execv("/usr/bin/snakemake", words)
 
 
