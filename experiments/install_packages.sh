@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that the project needs, where they are missing and this user may.
+#   install_packages.sh [experiments] [slurm]
+# experiments: studies and their reports; slurm: a Slurm on this machine, to test studies on clusters.
 set -euo pipefail
 
 packages=(
@@ -12,6 +14,19 @@ packages=(
   # tests and scripts
   googletest libbenchmark-dev libgmock-dev libgtest-dev python3
 )
+for option in "$@"; do
+  case $option in
+    experiments)
+      packages+=(chromium chromium-driver python3-jinja2 python3-matplotlib python3-numpy
+        python3-scipy python3-yaml snakemake)
+      ;;
+    slurm) packages+=(munge slurm-client slurmctld slurmd) ;;
+    *)
+      echo "install_packages.sh: expected 'experiments' or 'slurm', found '$option'" >&2
+      exit 1
+      ;;
+  esac
+done
 
 missing=()
 for package in "${packages[@]}"; do

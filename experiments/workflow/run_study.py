@@ -28,8 +28,8 @@ def parse_arguments() -> argparse.Namespace:
     parser.add_argument("--work_dir", type=pathlib.Path,
                         help="results; default: out/study/NAME, with --quick out/study/NAME_quick")
     parser.add_argument("--quick", action="store_true", help="the studies' quick versions")
-    parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count(),
-                        help="runs side by side; default: one a core")
+    parser.add_argument("-j", "--jobs", type=int,
+                        help="runs side by side; default: one a core, or what the profile says")
     parser.add_argument("--profile", type=pathlib.Path,
                         help="a Snakemake profile, such as experiments/profiles/slurm")
     parser.add_argument("--until", choices=["runs", "scores", "report"], default="report",
@@ -106,12 +106,12 @@ def main() -> None:
         sys.exit(f"run_study.py: error: {error}")
     words = [
         "snakemake", f"--snakefile={HERE / 'Snakefile'}", f"--directory={args.work_dir}",
-        f"--jobs={args.jobs}", "--keep-going", "--scheduler=greedy",
-        "--rerun-triggers", "mtime",
+        "--keep-going", "--scheduler=greedy", "--rerun-triggers", "mtime",
         f"--log-handler-script={HERE / 'progress.py'}",
         # Outputs appear whole, and the folder is locked already.
         "--ignore-incomplete", "--nolock",
         *([f"--profile={args.profile.resolve()}"] if args.profile else []),
+        *([f"--jobs={args.jobs or os.cpu_count()}"] if args.jobs or not args.profile else []),
         args.until]
     os.execv("/usr/bin/snakemake", words)
 

@@ -72,7 +72,7 @@ class StudyTest(workflow_test_case.WorkflowTestCase):
         def first(text=STUDY):
             return self.load(text).runs[0]
         before = first()
-        self.assertNotEqual(first(STUDY.replace("[1, 5]", "[2, 5]")).id, before.id)
+        self.assertNotEqual(first(STUDY.replace("[1, 5]", "[5, 1]")).id, before.id)
         self.assertNotEqual(first(STUDY.replace("1-3", "2-3")).id, before.id)
         self.assertNotEqual(first(STUDY.replace("rate: 5", "rate: 6")).log_id, before.log_id)
         self.write("other.yaml", workflow_test_case.WORLD + "      - [1, 6, 2, 6.5]\n")
@@ -133,9 +133,9 @@ class StudyTest(workflow_test_case.WorkflowTestCase):
     def test_unknown_keys_are_named_with_line(self):
         self.assertEqual(self.complaint("seeds: 1-3", "seedss: 1-3"),
                          "study.yaml:4: study: unknown key 'seedss'; did you mean 'seeds'?")
-        self.assertIn("study.yaml:14: quick: unknown key 'sedes'",
+        self.assertIn("study.yaml:15: quick: unknown key 'sedes'",
                       self.complaint("seeds: [7]", "sedes: [7]"))
-        self.assertIn("study.yaml:12: compare: unknown key 'particle'",
+        self.assertIn("study.yaml:13: compare: unknown key 'particle'",
                       self.complaint("improved, particles", "improved, particle"))
         self.assertIn("unknown metric 'ate_rms_m'; did you mean 'ate_rmse_m'?",
                       self.complaint("ate_rmse_m", "ate_rms_m"))
@@ -171,7 +171,7 @@ class StudyTest(workflow_test_case.WorkflowTestCase):
                       self.complaint("improved: {}", "improved: {particles: 3}"))
 
     def test_compared_cells_must_exist(self):
-        self.assertIn("study.yaml:12: compare: selects no cell of the study",
+        self.assertIn("study.yaml:13: compare: selects no cell of the study",
                       self.complaint("improved, particles: 1", "improved, particles: 2"))
 
     def test_broken_yaml_is_named_with_line(self):

@@ -41,9 +41,9 @@ class WorkflowTestCase(unittest.TestCase):
         return file
 
     def command(self, study, *words, work="work"):
-        return ["/usr/bin/python3", WORKFLOW / "run_study.py", study, "-j", "2",
+        return ["/usr/bin/python3", WORKFLOW / "run_study.py", "-j", "2",
                 f"--work_dir={self.folder / work}", f"--bin={BINARIES}",
-                f"--data={self.folder}", *words]
+                f"--data={self.folder}", *words, study]
 
     def run_study(self, study, *words, work="work"):
         return subprocess.run(self.command(study, *words, work=work), capture_output=True,
