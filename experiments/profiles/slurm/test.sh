@@ -54,7 +54,7 @@ ReturnToService=2
 SchedulerParameters=batch_sched_delay=0,sched_interval=2
 JobCompType=jobcomp/filetxt
 JobCompLoc=$folder/completed.txt
-NodeName=$host NodeAddr=127.0.0.1 CPUs=$(nproc) State=UNKNOWN
+NodeName=$host NodeAddr=127.0.0.1 CPUs=$(nproc) RealMemory=$(free -m | awk '/^Mem/ { print $2 }') State=UNKNOWN
 PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 END
 slurmctld -D -c 2>"$folder/slurmctld.err" &
