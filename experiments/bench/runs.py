@@ -1,4 +1,4 @@
-"""Runs of gmapping_spa on logs with known truth, for the scripts of this folder."""
+"""Runs of gmapping_spa on real logs, for front_end.py."""
 import json
 import os
 import pathlib
@@ -8,8 +8,6 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 FLAGS = ROOT / "experiments" / "flags"
-WORLD = ROOT / "experiments" / "simulation" / "worlds" / "paper_building.yaml"
-SIMULATED = "simulated"  # the log of a robot in WORLD
 
 
 def run(*words):
@@ -36,14 +34,9 @@ def add_arguments(parser):
     parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build" / "bin")
 
 
-def simulate(args, folder):
-    """Makes the simulated log once for all runs."""
-    run(args.bin / "simulate", f"--world={WORLD}", f"--output_dir={folder}", "--seed=1")
-
-
-def measure(args, log, flags, out, simulated=None):
-    """One run: costs, and the errors against relations (m, deg) or the simulator's truth (RMSE)."""
-    path = simulated / "log.clf" if log == SIMULATED else args.data / "carmen" / f"{log}.clf.gz"
+def measure(args, log, flags, out):
+    """One run: costs, and the errors against relations (m, deg)."""
+    path = args.data / "carmen" / f"{log}.clf.gz"
     run(args.bin / "gmapping_spa", *flags, "--threads=1", f"--log={path}", f"--output_dir={out}")
     record = json.loads((out / "run.json").read_text())
     result = {
@@ -52,11 +45,7 @@ def measure(args, log, flags, out, simulated=None):
         "memory_mb": record["resources"]["peak_memory_mb"],
     }
     relations = args.data / "relations" / f"{log}.relations.gz"
-    if log == SIMULATED:
-        result["error_m"] = json.loads(run(
-            args.bin / "evaluate_trajectory", f"--truth={simulated / 'truth.tum'}",
-            f"--trajectory={out / 'trajectory.tum'}"))["ate"]["translation_m"]["rmse"]
-    elif relations.exists():
+    if relations.exists():
         errors = json.loads(run(
             args.bin / "evaluate_relations", f"--relations={relations}",
             f"--trajectory={out / 'trajectory.tum'}"))

@@ -125,7 +125,7 @@ class _Reader:
                  for values in itertools.product(*axes.values())]
         study = Study(
             name=self.path.stem, path=self.path, title=parts["title"].text(),
-            description=parts["description"].text() if "description" in parts else "",
+            description=parts["description"].text().strip() if "description" in parts else "",
             metrics=_metrics(parts["metrics"]), compare=[], cells=cells, seeds=seeds,
             runs=[_run(cell, seed, sources[cell.log], common, variants[cell.variant])
                   for cell in cells for seed in seeds])
