@@ -25,8 +25,8 @@ def main() -> None:
             "error": error,
             "version": commands.version(binary),
         })
-    except commands.Interrupted as interrupted:
-        sys.exit(f"log {log_id}: {interrupted}")
+    except (commands.Interrupted, KeyboardInterrupt) as interrupted:
+        sys.exit(f"log {log_id}: {interrupted or 'interrupted'}")
     finally:
         shutil.rmtree(partial, ignore_errors=True)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""Does the runs of studies, scores them and writes the report. A stopped study goes on where it was.
+"""Does the runs of studies, scores them and writes the report.
 
-A run that fails is counted and does not stop the study; the exit status tells whether the study
+A stopped study goes on where it was when it is started again with the same folder of results. A run that fails is counted and does not stop the study; the exit status tells whether the study
 came to its end.
 """
 import argparse
@@ -19,6 +19,7 @@ from study import StudyError, load_study
 
 ROOT = commands.ROOT
 HERE = pathlib.Path(__file__).resolve().parent
+SNAKEMAKE = pathlib.Path("/usr/bin/snakemake")
 EVALUATORS = ["evaluate_relations", "evaluate_trajectory", "evaluate_map"]
 
 
@@ -79,6 +80,9 @@ def evaluators(args: argparse.Namespace) -> dict[str, str]:
 
 def prepare(args: argparse.Namespace) -> None:
     """Checks all, then writes what the workflow reads."""
+    if not SNAKEMAKE.is_file():
+        raise StudyError(f"{SNAKEMAKE}: no such file; experiments/install_packages.sh experiments "
+                         "installs it")
     studies = [load_study(path, args.bin, args.data, args.quick) for path in args.studies]
     plan = plans.make_plan(studies, args.bin, args.data, args.quick)
     versions = None if args.until == "runs" else evaluators(args)
@@ -113,7 +117,7 @@ def main() -> None:
         *([f"--profile={args.profile.resolve()}"] if args.profile else []),
         *([f"--jobs={args.jobs or os.cpu_count()}"] if args.jobs or not args.profile else []),
         args.until]
-    os.execv("/usr/bin/snakemake", words)
+    os.execv(SNAKEMAKE, words)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Which builds made the results that are there: results of different builds must not mix silently."""
+"""Which builds made the results that are there: those of several must not mix silently."""
 import json
 import pathlib
 import shutil

@@ -9,13 +9,15 @@ from typing import Any
 import flags
 import ids
 import logs
+from figure import Figure, read_figures
 from metrics import METRICS
 from yaml_entry import Entry, StudyError, did_you_mean, read_yaml
 
 __all__ = ["Cell", "Run", "Study", "StudyError", "load_study"]
 
 FLAGS = logs.ROOT / "experiments" / "flags"
-KEYS = ["title", "description", "logs", "seeds", "flags", "variants", "axes", "metrics", "compare"]
+KEYS = ["title", "description", "logs", "seeds", "flags", "variants", "axes", "metrics", "compare",
+        "figures"]
 LOG_KEYS = ["carmen", "world", "path", "obstacles", "simulate"]
 SIMULATE = "simulate."  # begins the name of an axis over a flag of the simulator
 RESERVED = {
@@ -68,6 +70,7 @@ class Study:
     description: str
     metrics: list[str]
     compare: list[tuple[dict[str, Any], dict[str, Any]]]
+    figures: list[Figure]
     cells: list[Cell]
     seeds: list[int]
     runs: list[Run]
@@ -126,11 +129,14 @@ class _Reader:
         study = Study(
             name=self.path.stem, path=self.path, title=parts["title"].text(),
             description=parts["description"].text().strip() if "description" in parts else "",
-            metrics=_metrics(parts["metrics"]), compare=[], cells=cells, seeds=seeds,
+            metrics=_metrics(parts["metrics"]), compare=[], figures=[], cells=cells,
+            seeds=seeds,
             runs=[_run(cell, seed, sources[cell.log], common, variants[cell.variant])
                   for cell in cells for seed in seeds])
         if "compare" in parts:
             study.compare.extend(_compare(parts["compare"], study, compared_must_exist))
+        if "figures" in parts:
+            study.figures.extend(read_figures(parts["figures"], study))
         return study
 
     def _slam_flags(self, entry: Entry) -> dict[str, flags.Value]:

@@ -27,6 +27,7 @@ daemons+=($!)
 
 mkdir "$folder/state" "$folder/spool"
 host=$(hostname -s)
+memory_mb=$(free -m | awk '/^Mem/ { print $2 }')
 cat >"$SLURM_CONF" <<END
 ClusterName=test
 SlurmctldHost=$host(127.0.0.1)
@@ -54,7 +55,7 @@ ReturnToService=2
 SchedulerParameters=batch_sched_delay=0,sched_interval=2
 JobCompType=jobcomp/filetxt
 JobCompLoc=$folder/completed.txt
-NodeName=$host NodeAddr=127.0.0.1 CPUs=$(nproc) RealMemory=$(free -m | awk '/^Mem/ { print $2 }') State=UNKNOWN
+NodeName=$host NodeAddr=127.0.0.1 CPUs=$(nproc) RealMemory=$memory_mb State=UNKNOWN
 PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 END
 slurmctld -D -c 2>"$folder/slurmctld.err" &

@@ -1,4 +1,4 @@
-"""Whole studies of a tiny room: failures are counted, a stopped study goes on, bad ones do not run."""
+"""Whole studies of a tiny room: failures are counted, stopped ones go on, bad ones do not run."""
 import fcntl
 import json
 import os
@@ -132,8 +132,8 @@ class RunStudyTest(workflow_test_case.WorkflowTestCase):
         done = self.run_study(bad, good)
         self.assertEqual(done.returncode, 1)
         self.assertEqual(done.stdout, "")
-        self.assertRegex(done.stderr, "^run_study.py: error: .*/bad.yaml:6: particels: unknown flag "
-                                      "'particels'; did you mean 'particles'\\?\n$")
+        self.assertRegex(done.stderr, "^run_study.py: error: .*/bad.yaml:6: particels: "
+                                      "unknown flag 'particels'; did you mean 'particles'\\?\n$")
         self.assertFalse((self.folder / "work").exists())
 
     def test_two_studies_at_once_in_a_folder_are_refused(self):

@@ -2,7 +2,7 @@
 import unittest
 
 import workflow_test_case
-from workflow_test_case import BINARIES
+from workflow_test_case import BINARIES, ROOT
 
 from study import StudyError, load_study
 
@@ -114,6 +114,16 @@ class StudyTest(workflow_test_case.WorkflowTestCase):
         self.assertIsNone(run.log_id)
         self.assertEqual(run.log_file, self.folder.resolve() / "carmen" / "hall.clf.gz")
         self.assertEqual(run.relations, self.folder / "relations" / "hall.relations.gz")
+
+    def test_studies_of_the_repository_are_good(self):
+        (self.folder / "carmen").mkdir()
+        for log in ("intel", "fr079", "aces"):
+            self.write(f"carmen/{log}.clf.gz", "not read here")
+        studies = sorted((ROOT / "experiments" / "ablation").glob("*.yaml"))
+        self.assertGreater(len(studies), 1)
+        for file in studies:
+            for quick in (False, True):
+                self.assertGreater(len(load_study(file, BINARIES, self.folder, quick).runs), 1)
 
     def test_selectors_find_cells(self):
         study = self.load()

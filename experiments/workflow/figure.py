@@ -1,0 +1,52 @@
+"""Figures of maps in rows and columns, as a study asks for them."""
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+from yaml_entry import Entry, did_you_mean
+
+KEYS = ["title", "rows", "columns", "log", "where"]
+
+
+@dataclasses.dataclass(frozen=True)
+class Figure:
+    """`rows` and `columns` name coordinates of cells; `selector` holds the others to one value."""
+    title: str
+    rows: str
+    columns: str
+    selector: dict[str, Any]
+
+    def grid(self, study) -> tuple[list, list, dict]:
+        """Values of the rows, of the columns, and the cell at (row, column)."""
+        cells = {(c.coordinates()[self.rows], c.coordinates()[self.columns]): c
+                 for c in study.select(self.selector)}
+        rows, columns = (list(dict.fromkeys(place[k] for place in cells)) for k in (0, 1))
+        return rows, columns, cells
+
+
+def read_figures(entry: Entry, study) -> list[Figure]:
+    return [_read_figure(below, study) for below in entry.sequence()]
+
+
+def _read_figure(entry: Entry, study) -> Figure:
+    parts = entry.mapping(KEYS)
+    for name in ("title", "rows", "columns"):
+        if name not in parts:
+            entry.fail(f"'{name}' is missing")
+    known = study.cells[0].coordinates()
+    for name in ("rows", "columns"):
+        value = parts[name].text()
+        if value not in known:
+            parts[name].fail(f"'{value}' is no axis of the study{did_you_mean(value, known)}")
+    selector = {name: value.scalar() for name, value in parts["where"].mapping(known).items()} \
+        if "where" in parts else {}
+    if "log" in parts:
+        selector["log"] = parts["log"].text()
+    figure = Figure(parts["title"].text(), parts["rows"].text(), parts["columns"].text(), selector)
+    cells = study.select(selector)
+    if not cells:
+        entry.fail("selects no cell of the study")
+    if len(figure.grid(study)[2]) < len(cells):
+        entry.fail("has more than one cell at a place; 'log' and 'where: {AXIS: VALUE}' choose one")
+    return figure
