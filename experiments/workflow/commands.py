@@ -19,7 +19,7 @@ def execute(words: list[str]) -> tuple[int, str]:
                           errors="replace")
     outside = {-signal.SIGKILL, -signal.SIGTERM, -signal.SIGINT, 128 + signal.SIGINT}
     if done.returncode in outside:
-        raise Interrupted(f"{pathlib.Path(words[0]).name} was ended by a signal")
+        raise Interrupted
     if done.returncode == 0:
         return 0, ""
     lines = done.stderr.strip().splitlines()

@@ -25,8 +25,8 @@ def main() -> None:
             "error": error,
             "version": commands.version(binary),
         })
-    except (commands.Interrupted, KeyboardInterrupt) as interrupted:
-        sys.exit(f"log {log_id}: {interrupted or 'interrupted'}")
+    except (commands.Interrupted, KeyboardInterrupt):
+        sys.exit(f"log {log_id}: ended from outside")
     finally:
         shutil.rmtree(partial, ignore_errors=True)
 

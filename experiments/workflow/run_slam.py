@@ -43,8 +43,8 @@ def main() -> None:
     try:
         outcome = slam(plan, run, partial, final)
         results_folder.commit(partial, final, outcome)
-    except (commands.Interrupted, KeyboardInterrupt) as interrupted:
-        sys.exit(f"{run['label']}: {interrupted or 'interrupted'}")
+    except (commands.Interrupted, KeyboardInterrupt):
+        sys.exit(f"{run['label']}: ended from outside")
     finally:
         shutil.rmtree(partial, ignore_errors=True)
     if outcome["exit_status"] == 0:

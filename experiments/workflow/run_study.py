@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Does the runs of studies, scores them and writes the report.
 
-A stopped study goes on where it was when it is started again with the same folder of results. A run that fails is counted and does not stop the study; the exit status tells whether the study
+A stopped study goes on where it was when it is started again with the same folder of results.
+A run that fails is counted and does not stop the study; the exit status tells whether the study
 came to its end.
 """
 import argparse
