@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-experiments/install_packages.sh
+experiments/install_packages.sh experiments
 presets=("$@")
 [[ ${#presets[@]} -gt 0 ]] || presets=(release asan tsan)
 for preset in "${presets[@]}"; do

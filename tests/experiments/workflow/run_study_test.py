@@ -73,7 +73,8 @@ class RunStudyTest(workflow_test_case.WorkflowTestCase):
         before = {name: i for name, i in self.identities().items() if "/runs/" in name
                   and not name.endswith(".snakemake_timestamp")}
         self.assertLess(len(kept), 12, "nothing was left to do")
-        self.check_study(self.study, "--until=scores")
+        printed = self.check_study(self.study, "--until=scores").stdout
+        self.assertEqual(printed.count("done   "), 12 - len(kept))
         self.check_study(self.study, "--until=scores", work="uninterrupted")
         self.assertEqual(len(self.outcomes()), 12)
         after = self.identities()
