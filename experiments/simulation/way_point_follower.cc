@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "frontend/map/yaml_file.h"
-
 namespace gmapping_spa::simulation {
 namespace {
 
@@ -28,8 +26,12 @@ double Direction(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
 WayPoints ReadWayPoints(const std::string& path) {
   const map::YamlFile yaml(path);
   yaml.AllowOnly({"way_points"});
+  return ReadWayPoints(yaml, "way_points");
+}
+
+WayPoints ReadWayPoints(const map::YamlFile& yaml, const std::string& key) {
   WayPoints way_points;
-  for (const YAML::Node& item : yaml.Items("way_points")) {
+  for (const YAML::Node& item : yaml.Items(key)) {
     const std::vector<double> point = yaml.Numbers(item, 2, "a way point [x, y]");
     way_points.emplace_back(point[0], point[1]);
     if (way_points.size() > 1 && way_points.back() == *std::prev(way_points.end(), 2)) {
@@ -37,7 +39,7 @@ WayPoints ReadWayPoints(const std::string& path) {
     }
   }
   if (way_points.size() < 2) {
-    yaml.Fail(yaml.Get("way_points"),
+    yaml.Fail(yaml.Get(key),
               "expected two or more way points, found " + std::to_string(way_points.size()));
   }
   return way_points;
@@ -51,12 +53,20 @@ bool WayPointFollower::Reached(const Eigen::Vector2d& world_position) const {
   return (way_points_[target_] - world_position).norm() < kReachedM;
 }
 
+double WayPointFollower::SpeedLimit(double error_rad) const {
+  const double share = std::max(0.0, 1.0 - std::abs(error_rad) / kTurnOnTheSpotRad);
+  // The circle from here to the aim, at the highest turn rate.
+  const double circle_m_s = options_.max_turn_rate_rad_s * kLookaheadM /
+                            (2.0 * std::max(std::sin(std::abs(error_rad)), 1e-9));
+  return std::min(share * options_.max_speed_m_s, circle_m_s);
+}
+
 double WayPointFollower::CornerSpeed() const {
   if (target_ + 1 == way_points_.size()) return kCreepM_S;
   const double before = Direction(way_points_[target_ - 1], way_points_[target_]);
   const double after = Direction(way_points_[target_], way_points_[target_ + 1]);
   const double corner_rad = std::abs(backend::WrapAngle(after - before));
-  return std::max(kCreepM_S, options_.max_speed_m_s * (1.0 - corner_rad / kTurnOnTheSpotRad));
+  return std::max(kCreepM_S, SpeedLimit(corner_rad));
 }
 
 BodyVelocity WayPointFollower::Next(const backend::SE2& world_T_robot, double duration_s) {
@@ -75,8 +85,8 @@ BodyVelocity WayPointFollower::Next(const backend::SE2& world_T_robot, double du
   const double braking_m = std::max(0.0, (to - position).norm() - kReachedM);
   const double corner_m_s = CornerSpeed();
   const double speed_m_s = std::min(
-      {options_.max_speed_m_s * std::max(0.0, 1.0 - std::abs(error_rad) / kTurnOnTheSpotRad),
-       std::sqrt(corner_m_s * corner_m_s + 2.0 * options_.max_acceleration_m_s2 * braking_m)});
+      SpeedLimit(error_rad),
+      std::sqrt(corner_m_s * corner_m_s + 2.0 * options_.max_acceleration_m_s2 * braking_m));
   const double turn_rate_rad_s = std::clamp(
       kHeadingGainPerS * error_rad, -options_.max_turn_rate_rad_s, options_.max_turn_rate_rad_s);
 

@@ -9,6 +9,7 @@
 
 #include "backend/se2.h"
 #include "experiments/simulation/differential_drive.h"
+#include "frontend/map/yaml_file.h"
 
 namespace gmapping_spa::simulation {
 
@@ -18,6 +19,8 @@ using WayPoints = std::vector<Eigen::Vector2d>;
 // Reads `way_points: - [x, y]` from YAML: two or more, no two neighbours the same.
 // Throws std::runtime_error "<path>[:<line>]: <what was expected, what was found>".
 WayPoints ReadWayPoints(const std::string& path);
+// The same of the list at `key`.
+WayPoints ReadWayPoints(const map::YamlFile& yaml, const std::string& key);
 
 struct WayPointFollowerOptions {
   double max_speed_m_s = 1.5;
@@ -45,6 +48,8 @@ class WayPointFollower {
 
  private:
   bool Reached(const Eigen::Vector2d& world_position) const;
+  // The highest speed at which the robot can turn towards an aim that is so far off its heading.
+  double SpeedLimit(double error_rad) const;
   // Speed at which the target should be passed, given the corner there.
   double CornerSpeed() const;
 
