@@ -7,13 +7,13 @@
 
 namespace gmapping_spa::simulation {
 
-std::vector<double> Scan(const World& world, const backend::SE2& world_T_laser,
+std::vector<double> Scan(const Scene& scene, double time_s, const backend::SE2& world_T_laser,
                          const LidarOptions& options, std::uint64_t seed, std::uint32_t scan) {
   std::vector<double> ranges_m(options.beams, options.max_range_m);
   for (int beam = 0; beam < options.beams; ++beam) {
     const double angle_rad = options.start_angle_rad() + beam * options.angular_resolution_rad();
-    const std::optional<double> range_m = world.CastRay(
-        world_T_laser.translation(), world_T_laser.theta + angle_rad, options.max_range_m);
+    const std::optional<double> range_m = scene.CastRay(
+        world_T_laser.translation(), world_T_laser.theta + angle_rad, options.max_range_m, time_s);
     if (!range_m) continue;
     backend::CounterRandom random(seed, kLidarStream, scan, beam);
     ranges_m[beam] =

@@ -6,31 +6,51 @@
 #include "experiments/simulation/random_streams.h"
 
 namespace gmapping_spa::simulation {
+namespace {
+
+// Of one event or more in a step.
+double Probability(double events_per_m, double distance_m) {
+  return -std::expm1(-events_per_m * distance_m);
+}
+
+}  // namespace
+
+Odometry::Odometry(const OdometryOptions& options, std::uint64_t seed)
+    : options_(options), seed_(seed) {
+  backend::CounterRandom random(seed, kBiasStream);
+  const double scale =
+      1.0 + options.interference * options.wheel_scale_deviation * random.Gaussian();
+  const double ratio = options.interference * options.wheel_ratio_deviation * random.Gaussian();
+  bias_ = {scale * (1.0 - ratio / 2.0), scale * (1.0 + ratio / 2.0)};
+}
+
+WheelSpeeds Odometry::Slipped(const WheelSpeeds& wheels, double distance_m, double duration_s) {
+  // Half a step of tolerance: rounding must not add one.
+  if (slip_left_s_ < duration_s / 2.0) slip_ = {};
+  backend::CounterRandom random(seed_, kSlipStream, step_);
+  if (random.Uniform() < Probability(options_.slips_per_m, distance_m)) {
+    ++slips_;
+    (random.Uniform() < 0.5 ? slip_.left : slip_.right) =
+        1.0 + options_.interference * options_.slip_deviation * random.Gaussian();
+    slip_left_s_ = options_.slip_duration_s;
+  }
+  slip_left_s_ -= duration_s;
+  return {bias_.left * slip_.left * wheels.left_m_s, bias_.right * slip_.right * wheels.right_m_s};
+}
+
+double Odometry::BumpRad(double distance_m) {
+  backend::CounterRandom random(seed_, kBumpStream, step_);
+  if (random.Uniform() >= Probability(options_.bumps_per_m, distance_m)) return 0.0;
+  ++bumps_;
+  return options_.interference * options_.bump_deviation_rad * random.Gaussian();
+}
 
 void Odometry::Advance(const BodyVelocity& true_velocity, double duration_s) {
   const double distance_m = std::abs(true_velocity.linear_m_s) * duration_s;
   const double angle_rad = std::abs(true_velocity.angular_rad_s) * duration_s;
-
-  // Half a step of tolerance: rounding must not add one.
-  if (slip_left_s_ < duration_s / 2.0) left_scale_ = right_scale_ = 1.0;
-  double jump_rad = 0.0;
-  backend::CounterRandom slip(seed_, kSlipStream, step_);
-  if (slip.Uniform() < -std::expm1(-options_.slip_probability_per_m * distance_m)) {
-    ++slip_events_;
-    const double kind = slip.Uniform();
-    if (kind < 0.5) {
-      jump_rad = options_.jump_deviation_rad * slip.Gaussian();
-    } else {
-      (kind < 0.75 ? left_scale_ : right_scale_) = 1.0 + options_.slip_deviation * slip.Gaussian();
-      slip_left_s_ = options_.slip_duration_s;
-    }
-  }
-
-  WheelSpeeds wheels = ToWheelSpeeds(true_velocity, options_.wheel_base_m);
-  wheels.left_m_s *= left_scale_;
-  wheels.right_m_s *= right_scale_;
-  const BodyVelocity slipped = ToBodyVelocity(wheels, options_.wheel_base_m);
-
+  const BodyVelocity reported = ToBodyVelocity(
+      Slipped(ToWheelSpeeds(true_velocity, options_.wheel_base_m), distance_m, duration_s),
+      options_.wheel_base_m);
   backend::CounterRandom random(seed_, kOdometryStream, step_);
   const double translation_m =
       options_.noise *
@@ -39,13 +59,13 @@ void Odometry::Advance(const BodyVelocity& true_velocity, double duration_s) {
       random.Gaussian();
   const double rotation_rad =
       options_.noise *
-      std::hypot(options_.rotation_rad_per_root_m * std::sqrt(distance_m),
-                 options_.rotation_rad_per_root_rad * std::sqrt(angle_rad)) *
-      random.Gaussian();
-  measured_velocity_ = {slipped.linear_m_s + translation_m / duration_s,
-                        slipped.angular_rad_s + (rotation_rad + jump_rad) / duration_s};
+          std::hypot(options_.rotation_rad_per_root_m * std::sqrt(distance_m),
+                     options_.rotation_rad_per_root_rad * std::sqrt(angle_rad)) *
+          random.Gaussian() +
+      BumpRad(distance_m);
+  measured_velocity_ = {reported.linear_m_s + translation_m / duration_s,
+                        reported.angular_rad_s + rotation_rad / duration_s};
   odom_T_robot_ = Drive(odom_T_robot_, measured_velocity_, duration_s);
-  slip_left_s_ -= duration_s;
   ++step_;
 }
 

@@ -11,6 +11,8 @@ enum RandomStream : std::uint32_t {
   kLidarStream = 0x51d00001,     // a: scan, b: beam
   kOdometryStream = 0x51d00002,  // a: step
   kSlipStream = 0x51d00003,      // a: step
+  kBumpStream = 0x51d00004,      // a: step
+  kBiasStream = 0x51d00005,
 };
 
 }  // namespace gmapping_spa::simulation

@@ -20,13 +20,14 @@ std::string Describe(const Eigen::Vector2d& point) {
   return text.data();
 }
 
-void CheckFree(const World& world, const backend::SE2& world_T_robot, double radius_m) {
-  const std::optional<Eigen::Vector2d> contact =
-      world.FindContact(world_T_robot.translation(), radius_m);
+void CheckFree(const Scene& scene, const backend::SE2& world_T_robot, double radius_m,
+               double time_s) {
+  const std::optional<Contact> contact =
+      scene.FindContact(world_T_robot.translation(), radius_m, time_s);
   if (!contact) return;
   throw std::runtime_error("tour: expected free space around the robot at " +
-                           Describe(world_T_robot.translation()) + ", found a wall at " +
-                           Describe(*contact));
+                           Describe(world_T_robot.translation()) + ", found " + contact->what +
+                           " at " + Describe(contact->world_point));
 }
 
 // Much more time than any tour needs: driven at a tenth of the speed, with a full turn at each way
@@ -42,7 +43,7 @@ double TimeLimit(const WayPoints& way_points, const WayPointFollowerOptions& opt
 
 }  // namespace
 
-SimulationSummary Simulate(const World& world, const WayPoints& way_points,
+SimulationSummary Simulate(const Scene& scene, const WayPoints& way_points,
                            const SimulationOptions& options, std::ostream& log,
                            const std::function<void()>& after_scan) {
   const double step_s = 1.0 / (options.lidar.rate_hz * kStepsPerScan);
@@ -69,11 +70,12 @@ SimulationSummary Simulate(const World& world, const WayPoints& way_points,
                                Describe(world_T_robot.translation()) + " after " +
                                std::to_string(limit_s) + " s");
     }
-    CheckFree(world, world_T_robot, options.robot_radius_m);
+    CheckFree(scene, world_T_robot, options.robot_radius_m, stamp_s);
     writer.WriteOdometry(stamp_s, odometry.odom_T_robot(), odometry.measured_velocity());
     if (step % kStepsPerScan == 0) {
-      const std::vector<double> ranges_m = Scan(world, world_T_robot, options.lidar, options.seed,
-                                                static_cast<std::uint32_t>(step / kStepsPerScan));
+      const std::vector<double> ranges_m =
+          Scan(scene, stamp_s, world_T_robot, options.lidar, options.seed,
+               static_cast<std::uint32_t>(step / kStepsPerScan));
       writer.WriteScan(stamp_s, odometry.odom_T_robot(), odometry.measured_velocity(),
                        options.lidar, ranges_m);
       summary.world_T_robot.push_back({stamp_s, world_T_robot});
@@ -85,7 +87,8 @@ SimulationSummary Simulate(const World& world, const WayPoints& way_points,
     summary.path_length_m += std::abs(velocity.linear_m_s) * step_s;
   }
   summary.odom_T_robot = odometry.odom_T_robot();
-  summary.slip_events = odometry.slip_events();
+  summary.slips = odometry.slips();
+  summary.bumps = odometry.bumps();
   return summary;
 }
 

@@ -9,8 +9,8 @@
 #include "backend/trajectory_io.h"
 #include "experiments/simulation/lidar.h"
 #include "experiments/simulation/odometry.h"
+#include "experiments/simulation/scene.h"
 #include "experiments/simulation/way_point_follower.h"
-#include "experiments/simulation/world.h"
 
 namespace gmapping_spa::simulation {
 
@@ -26,14 +26,14 @@ struct SimulationSummary {
   backend::Trajectory world_T_robot;  // the true pose at each scan
   double path_length_m = 0.0;
   backend::SE2 odom_T_robot;  // what raw odometry says in the end
-  int slip_events = 0;
+  int slips = 0, bumps = 0;
 };
 
 // Drives the tour and writes the log: two odometry records a scan, as robots commonly have, from
 // time 0 on. `after_scan` is called after each scan. The same arguments give the same bytes.
 // Throws std::runtime_error with one line when the robot would touch something or does not arrive.
 SimulationSummary Simulate(
-    const World& world, const WayPoints& way_points, const SimulationOptions& options,
+    const Scene& scene, const WayPoints& way_points, const SimulationOptions& options,
     std::ostream& log, const std::function<void()>& after_scan = [] {});
 
 }  // namespace gmapping_spa::simulation

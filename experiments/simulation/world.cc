@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "experiments/simulation/drawing.h"
 #include "frontend/map/map_server_io.h"
 #include "frontend/map/yaml_file.h"
 
@@ -30,51 +31,20 @@ TrinaryMap EmptyRaster(const map::YamlFile& yaml) {
   return raster;
 }
 
-// The cells [first, second) whose centres lie in [min_m, max_m).
-std::pair<int, int> CentersWithin(double min_m, double max_m, double origin_m, double resolution_m,
-                                  int size) {
-  // Edges of boxes often fall on those of cells and must not be moved by rounding; they are half a
-  // cell away from the next centre.
-  const auto first_at = [&](double x_m) {
-    const double cell = std::ceil((x_m - origin_m) / resolution_m - 0.5);
-    return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(size)));
-  };
-  return {first_at(min_m), first_at(max_m)};
-}
-
-// Returns whether the box covers any cell.
-bool DrawBox(const std::vector<double>& box, TrinaryMap& raster) {
-  const auto [left, right] =
-      CentersWithin(box[0], box[2], raster.origin_x_m, raster.resolution_m, raster.width);
-  const auto [bottom, top] =
-      CentersWithin(box[1], box[3], raster.origin_y_m, raster.resolution_m, raster.height);
-  for (int row = bottom; row < top; ++row) {
-    for (int column = left; column < right; ++column) raster.at(column, row) = CellState::kOccupied;
-  }
-  return left < right && bottom < top;
-}
-
 }  // namespace
 
-World World::Read(const std::string& path) {
+TrinaryMap ReadWorldRaster(const std::string& path) {
   const map::YamlFile yaml(path);
   const bool has_image = yaml.Has("image");
   if (has_image) {
     yaml.AllowOnly({"image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh",
-                    "mode", "boxes"});
+                    "mode", "boxes", "walls", "discs"});
   } else {
-    yaml.AllowOnly({"size", "resolution", "boxes"});
+    yaml.AllowOnly({"size", "resolution", "boxes", "walls", "discs"});
   }
   TrinaryMap raster = has_image ? map::ReadMap(path) : EmptyRaster(yaml);
-  if (yaml.Has("boxes")) {
-    for (const YAML::Node& item : yaml.Items("boxes")) {
-      const std::vector<double> box = yaml.Numbers(item, 4, "a box [x_min, y_min, x_max, y_max]");
-      if (!DrawBox(box, raster)) {
-        yaml.Fail(item, "expected x_min < x_max, y_min < y_max and a cell of the world in the box");
-      }
-    }
-  }
-  return World(std::move(raster));
+  DrawShapes(yaml, &raster);
+  return raster;
 }
 
 Eigen::Vector2d World::ToCells(const Eigen::Vector2d& world_point) const {

@@ -5,23 +5,23 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "frontend/map/trinary_map.h"
 
 namespace gmapping_spa::simulation {
+
+// Reads a world file: YAML with the keys of map_server for an image, or `size: [x, y]` and
+// `resolution` in metres for an empty world with its lower left corner at the origin; either may
+// have shapes drawn over it (drawing.h).
+// Throws std::runtime_error "<path>[:<line>]: <what was expected, what was found>".
+map::TrinaryMap ReadWorldRaster(const std::string& path);
 
 // A raster in which occupied cells are solid and all others empty. Outside of it there is nothing
 // to see and nowhere to drive. Coordinates are in the world frame, in metres.
 class World {
  public:
   explicit World(map::TrinaryMap raster) : raster_(std::move(raster)) {}
-
-  // Reads a world file: YAML with the keys of map_server for an image, or `size: [x, y]` and
-  // `resolution` in metres for an empty world with its lower left corner at the origin; either may
-  // have `boxes`, a list of solid rectangles [x_min, y_min, x_max, y_max] drawn over it. A cell is
-  // solid when its centre lies in a box.
-  // Throws std::runtime_error "<path>[:<line>]: <what was expected, what was found>".
-  static World Read(const std::string& path);
 
   // Distance along the ray to where it enters the first solid cell; nothing when that is farther
   // than max_range_m or never happens. Exact for the raster (to rounding), 0 from inside a solid.

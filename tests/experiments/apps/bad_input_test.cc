@@ -217,7 +217,9 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"MissingWorld", "--world=/none.yaml", "/none"},
                       Case{"MissingPath", "--path=/none.yaml", "/none.yaml"},
                       Case{"Unknown", "--nope=1", "nope"}, Case{"Word", "more", "'more'"},
-                      Case{"Beams", "--beams=0", "--beams"},
+                      Case{"AngularResolution", "--angular_resolution=0.7", "--angular_resolution"},
+                      Case{"PedestrianWithoutObstacles", "--walking_pedestrian", "obstacles"},
+                      Case{"MissingObstacles", "--obstacles=/none.yaml", "/none.yaml"},
                       Case{"NanSpeed", "--max_speed=nan", "--max_speed"},
                       Case{"OutputBelowProc", "--output_dir=/proc/x", "/proc/x"}),
     NameOf);

@@ -71,7 +71,7 @@ class GmappingSpaTour : public ::testing::Test {
         "  - [8.2, 8.2]\n  - [13, 8.2]\n  - [3, 8.2]\n");
     const CommandResult simulate =
         RunCommand({SIMULATE, "--world=" WORLDS_FOLDER "/paper_building.yaml", "--path=" + path,
-                    "--output_dir=" + shared_->path(), "--beams=120", "--scan_rate=5",
+                    "--output_dir=" + shared_->path(), "--angular_resolution=3", "--scan_rate=5",
                     "--odometry_noise=5", "--seed=7"});
     ASSERT_EQ(simulate.status, 0) << simulate.err;
     const CommandResult slam = RunCommand(Command(shared_->Path("result")));

@@ -15,6 +15,7 @@ TEST(CarmenWriter, WritesEachRecordAsOneLine) {
   writer.WriteOdometry(0.05, {1.5, -2.0, 0.25}, {1.0, -0.5});
   LidarOptions lidar;
   lidar.beams = 4;
+  lidar.range_noise_m = 0.02;
   writer.WriteScan(12.1, {1.5, -2.0, 0.25}, {1.0, -0.5}, lidar, {1.0, 2.3456, 30.0, 0.5});
   EXPECT_EQ(
       out.str(),

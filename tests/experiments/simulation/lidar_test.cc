@@ -11,6 +11,12 @@ namespace {
 
 using map::CellState;
 
+LidarOptions OneDegreeBeams() {
+  LidarOptions options;
+  options.beams = 360;
+  return options;
+}
+
 // A room of 8 m x 6 m with walls one cell (0.1 m) thick.
 World Room() {
   map::TrinaryMap raster{80, 60, 0.1, 0.0, 0.0, std::vector<CellState>(4800, CellState::kFree)};
@@ -26,7 +32,7 @@ TEST(Lidar, BeamsGoRoundFromBehindInTheLaserFrame) {
   options.beams = 4;
   options.range_noise_m = 0.0;
   // Facing up: behind is the lower wall, then right, front and left.
-  const std::vector<double> ranges_m = Scan(Room(), {3.0, 2.0, std::acos(0.0)}, options, 1, 0);
+  const std::vector<double> ranges_m = Scan(Room(), 0.0, {3.0, 2.0, std::acos(0.0)}, options, 1, 0);
   ASSERT_EQ(ranges_m.size(), 4u);
   EXPECT_NEAR(ranges_m[0], 1.9, 1e-9);
   EXPECT_NEAR(ranges_m[1], 4.9, 1e-9);
@@ -35,17 +41,17 @@ TEST(Lidar, BeamsGoRoundFromBehindInTheLaserFrame) {
 }
 
 TEST(Lidar, NoiseIsNormalWithTheGivenDeviation) {
-  LidarOptions options;
+  LidarOptions options = OneDegreeBeams();
   options.range_noise_m = 0.03;
   LidarOptions exact = options;
   exact.range_noise_m = 0.0;
   const World room = Room();
   const backend::SE2 pose{3.0, 2.0, 0.3};
-  const std::vector<double> true_ranges_m = Scan(room, pose, exact, 5, 0);
+  const std::vector<double> true_ranges_m = Scan(room, 0.0, pose, exact, 5, 0);
   double sum = 0.0, sum_squares = 0.0;
   constexpr int kScans = 200;
   for (int scan = 0; scan < kScans; ++scan) {
-    const std::vector<double> ranges_m = Scan(room, pose, options, 5, scan);
+    const std::vector<double> ranges_m = Scan(room, 0.0, pose, options, 5, scan);
     for (int beam = 0; beam < options.beams; ++beam) {
       const double error_m = ranges_m[beam] - true_ranges_m[beam];
       sum += error_m;
@@ -59,21 +65,38 @@ TEST(Lidar, NoiseIsNormalWithTheGivenDeviation) {
 }
 
 TEST(Lidar, NoReturnIsTheMaximumRange) {
-  LidarOptions options;
+  LidarOptions options = OneDegreeBeams();
   options.max_range_m = 3.5;
-  const std::vector<double> ranges_m = Scan(Room(), {3.0, 2.0, 0.0}, options, 1, 0);
+  const std::vector<double> ranges_m = Scan(Room(), 0.0, {3.0, 2.0, 0.0}, options, 1, 0);
   EXPECT_EQ(ranges_m[180], 3.5);  // Ahead the wall is 4.9 m away.
   EXPECT_NEAR(ranges_m[0], 2.9, 0.1);
   EXPECT_LE(*std::max_element(ranges_m.begin(), ranges_m.end()), 3.5);
 }
 
+TEST(Lidar, SeesThePedestrianWhereItIsAtThatTime) {
+  LidarOptions options;
+  options.beams = 4;
+  options.range_noise_m = 0.0;
+  // Walks up the room to the right of the robot.
+  const Scene scene(Room(), Pedestrian{{0.2, 0.4}, 1.0, {{5.0, 1.0}, {5.0, 5.0}}});
+  const auto ahead_m = [&](double time_s) {
+    return Scan(scene, time_s, {3.0, 2.0, 0.0}, options, 1, 0)[2];
+  };
+  EXPECT_NEAR(ahead_m(0.0), 4.9, 1e-9);
+  EXPECT_NEAR(ahead_m(0.89), 4.9, 1e-9);  // not there before its front, 0.1 m ahead of its centre
+  EXPECT_NEAR(ahead_m(0.91), 1.8, 1e-9);
+  EXPECT_NEAR(ahead_m(1.09), 1.8, 1e-9);
+  EXPECT_NEAR(ahead_m(1.11), 4.9, 1e-9);
+  EXPECT_NEAR(ahead_m(7.0), 1.8, 1e-9);  // on its way back
+}
+
 TEST(Lidar, ScansDifferByNumberAndSeedOnly) {
   const World room = Room();
-  const LidarOptions options;
+  const LidarOptions options = OneDegreeBeams();
   const backend::SE2 pose{3.0, 2.0, 0.0};
-  EXPECT_EQ(Scan(room, pose, options, 1, 7), Scan(room, pose, options, 1, 7));
-  EXPECT_NE(Scan(room, pose, options, 1, 7), Scan(room, pose, options, 1, 8));
-  EXPECT_NE(Scan(room, pose, options, 1, 7), Scan(room, pose, options, 2, 7));
+  EXPECT_EQ(Scan(room, 0.0, pose, options, 1, 7), Scan(room, 0.0, pose, options, 1, 7));
+  EXPECT_NE(Scan(room, 0.0, pose, options, 1, 7), Scan(room, 0.0, pose, options, 1, 8));
+  EXPECT_NE(Scan(room, 0.0, pose, options, 1, 7), Scan(room, 0.0, pose, options, 2, 7));
 }
 
 }  // namespace

@@ -33,10 +33,10 @@ backend::SE2 DriveFor(const OdometryOptions& options, std::uint64_t seed,
   return odometry.odom_T_robot();
 }
 
-TEST(Odometry, WithoutNoiseAndSlipIsTheTrueMotion) {
+TEST(Odometry, WithoutNoiseAndInterferenceIsTheTrueMotion) {
   OdometryOptions options;
   options.noise = 0.0;
-  options.slip_probability_per_m = 0.0;
+  options.interference = 0.0;
   const backend::SE2 pose = DriveFor(options, 1, {1.2, 0.4}, 100);
   const backend::SE2 expected = Drive({}, {1.2, 0.4}, 5.0);
   EXPECT_NEAR(pose.x, expected.x, 1e-9);
@@ -46,7 +46,7 @@ TEST(Odometry, WithoutNoiseAndSlipIsTheTrueMotion) {
 
 TEST(Odometry, HeadingVarianceGrowsWithDistanceWhateverTheStep) {
   OdometryOptions options;
-  options.slip_probability_per_m = 0.0;
+  options.interference = 0.0;
   // 4 m straight.
   const double expected = options.rotation_rad_per_root_m * 2.0;
   Moments fine, coarse;
@@ -60,7 +60,7 @@ TEST(Odometry, HeadingVarianceGrowsWithDistanceWhateverTheStep) {
 
 TEST(Odometry, DistanceVarianceGrowsWithDistance) {
   OdometryOptions options;
-  options.slip_probability_per_m = 0.0;
+  options.interference = 0.0;
   options.rotation_rad_per_root_m = 0.0;
   options.noise = 2.0;
   Moments moments;
@@ -70,7 +70,7 @@ TEST(Odometry, DistanceVarianceGrowsWithDistance) {
 
 TEST(Odometry, TurningOnTheSpotDisturbsBothHeadingAndPosition) {
   OdometryOptions options;
-  options.slip_probability_per_m = 0.0;
+  options.interference = 0.0;
   Moments heading, forward;
   for (int seed = 0; seed < kRuns; ++seed) {
     Odometry odometry(options, seed);
@@ -83,38 +83,97 @@ TEST(Odometry, TurningOnTheSpotDisturbsBothHeadingAndPosition) {
   forward.ExpectNormal(0.0, options.translation_m_per_root_rad * root);
 }
 
-TEST(Odometry, SlipStartsAtTheGivenRate) {
-  OdometryOptions options;
-  options.slip_probability_per_m = 0.05;
-  Odometry odometry(options, 3);
-  // 5000 m: 250 events, Poisson.
-  for (int i = 0; i < 100000; ++i) odometry.Advance({1.0, 0.0}, kStepS);
-  EXPECT_NEAR(odometry.slip_events(), 250, 5.0 * std::sqrt(250.0));
-}
-
-TEST(Odometry, SlipTurnsTheHeadingAndPasses) {
+OdometryOptions OnlyInterference() {
   OdometryOptions options;
   options.noise = 0.0;
-  options.slip_probability_per_m = 0.05;
+  options.slips_per_m = options.bumps_per_m = 0.0;
+  options.wheel_scale_deviation = options.wheel_ratio_deviation = 0.0;
+  return options;
+}
+
+TEST(Odometry, SlipsAndBumpsComeAtTheirRates) {
+  OdometryOptions options;
+  options.slips_per_m = 0.05;
+  options.bumps_per_m = 0.02;
   Odometry odometry(options, 3);
-  int steps_turning = 0, jump_steps = 0;
+  // 5000 m: 250 slips and 100 bumps, Poisson.
+  for (int i = 0; i < 100000; ++i) odometry.Advance({1.0, 0.0}, kStepS);
+  EXPECT_NEAR(odometry.slips(), 250, 5.0 * std::sqrt(250.0));
+  EXPECT_NEAR(odometry.bumps(), 100, 5.0 * std::sqrt(100.0));
+}
+
+TEST(Odometry, ASlipChangesTheSpeedOfOneWheelForAWhile) {
+  OdometryOptions options = OnlyInterference();
+  options.slips_per_m = 0.02;
+  Odometry odometry(options, 3);
+  int steps_slipping = 0;
+  for (int i = 0; i < 100000; ++i) {
+    odometry.Advance({1.0, 0.0}, kStepS);
+    const WheelSpeeds wheels = ToWheelSpeeds(odometry.measured_velocity(), options.wheel_base_m);
+    const bool left = std::abs(wheels.left_m_s - 1.0) > 1e-9;
+    const bool right = std::abs(wheels.right_m_s - 1.0) > 1e-9;
+    steps_slipping += left || right;
+  }
+  ASSERT_GT(odometry.slips(), 50);
+  // 0.4 s are eight steps; a few slips begin before the last one is over.
+  EXPECT_NEAR(static_cast<double>(steps_slipping) / odometry.slips(), 8.0, 0.5);
+}
+
+TEST(Odometry, ABumpTurnsTheHeadingInOneStep) {
+  OdometryOptions options = OnlyInterference();
+  options.bumps_per_m = 0.05;
+  Odometry odometry(options, 3);
+  int steps_turning = 0;
+  double sum_squares = 0.0;
   for (int i = 0; i < 100000; ++i) {
     odometry.Advance({1.0, 0.0}, kStepS);
     const BodyVelocity measured = odometry.measured_velocity();
-    if (measured.angular_rad_s == 0.0) continue;
-    ++steps_turning;
-    jump_steps += measured.linear_m_s == 1.0;
+    EXPECT_EQ(measured.linear_m_s, 1.0);
+    steps_turning += measured.angular_rad_s != 0.0;
+    sum_squares += std::pow(measured.angular_rad_s * kStepS, 2);
   }
-  // Half of the events are jumps of one step, half slip of one wheel for eight steps (0.4 s), which
-  // also changes the forward speed.
-  const double events = odometry.slip_events();
-  EXPECT_NEAR(jump_steps / events, 0.5, 0.16);
-  EXPECT_NEAR((steps_turning - jump_steps) / (events - jump_steps), 8.0, 0.5);
+  ASSERT_GT(odometry.bumps(), 100);
+  EXPECT_EQ(steps_turning, odometry.bumps());
+  const double variance = std::pow(options.bump_deviation_rad, 2);
+  EXPECT_NEAR(sum_squares / odometry.bumps(), variance,
+              5.0 * variance * std::sqrt(2.0 / odometry.bumps()));
+}
+
+TEST(Odometry, WheelsAreWrongByTheSameAllTheWay) {
+  OdometryOptions options = OnlyInterference();
+  options.wheel_scale_deviation = 0.005;
+  options.wheel_ratio_deviation = 0.001;
+  Moments scale, ratio;
+  for (int seed = 0; seed < kRuns; ++seed) {
+    Odometry odometry(options, seed);
+    odometry.Advance({1.0, 0.0}, kStepS);
+    const BodyVelocity first = odometry.measured_velocity();
+    odometry.Advance({2.0, 0.0}, kStepS);
+    EXPECT_DOUBLE_EQ(odometry.measured_velocity().linear_m_s, 2.0 * first.linear_m_s);
+    EXPECT_NEAR(odometry.measured_velocity().angular_rad_s, 2.0 * first.angular_rad_s, 1e-12);
+    scale.Add(first.linear_m_s);
+    ratio.Add(first.angular_rad_s * options.wheel_base_m / first.linear_m_s);
+  }
+  scale.ExpectNormal(1.0, 0.005);
+  ratio.ExpectNormal(0.0, 0.001);
+}
+
+TEST(Odometry, InterferenceScalesWhatTheSeedDraws) {
+  OdometryOptions options;
+  options.noise = 0.0;
+  options.slips_per_m = 0.0;
+  options.bumps_per_m = 0.05;
+  OdometryOptions twice = options;
+  twice.interference = 2.0;
+  const double heading_rad = DriveFor(options, 5, {1.0, 0.0}, 400).theta;
+  ASSERT_GT(std::abs(heading_rad), 1e-3);
+  EXPECT_NEAR(DriveFor(twice, 5, {1.0, 0.0}, 400).theta, 2.0 * heading_rad,
+              0.02 * std::abs(heading_rad));
 }
 
 TEST(Odometry, StandingStillIsNotDisturbed) {
   OdometryOptions options;
-  options.slip_probability_per_m = 1000.0;
+  options.slips_per_m = options.bumps_per_m = 1000.0;
   EXPECT_EQ(DriveFor(options, 1, {0.0, 0.0}, 100), backend::SE2());
 }
 

@@ -23,6 +23,12 @@ World Yard() {
   return World(raster);
 }
 
+SimulationOptions OneDegreeBeams() {
+  SimulationOptions options;
+  options.lidar.beams = 360;
+  return options;
+}
+
 int CountLines(const std::string& text, const std::string& start) {
   std::istringstream in(text);
   int count = 0;
@@ -32,7 +38,7 @@ int CountLines(const std::string& text, const std::string& start) {
 
 TEST(Simulation, WritesTwoOdometryReadingsAScan) {
   std::ostringstream log;
-  SimulationOptions options;
+  SimulationOptions options = OneDegreeBeams();
   options.follower.max_speed_m_s = 1.0;
   const SimulationSummary summary = Simulate(Yard(), {{2, 2}, {12, 2}}, options, log);
   const int scans = static_cast<int>(summary.world_T_robot.size());
@@ -48,7 +54,7 @@ TEST(Simulation, SameSeedGivesTheSameBytesAndAnotherSeedAnotherLog) {
   const WayPoints way_points = {{2, 2}, {8, 2}, {8, 6}};
   const auto log_of = [&](std::uint64_t seed) {
     std::ostringstream log;
-    SimulationOptions options;
+    SimulationOptions options = OneDegreeBeams();
     options.seed = seed;
     Simulate(Yard(), way_points, options, log);
     return log.str();
@@ -61,16 +67,28 @@ TEST(Simulation, SameSeedGivesTheSameBytesAndAnotherSeedAnotherLog) {
 TEST(Simulation, NamesThePlaceWhereTheRobotWouldTouchAWall) {
   std::ostringstream log;
   try {
-    Simulate(Yard(), {{2, 6}, {18, 6}}, {}, log);
+    Simulate(Yard(), {{2, 6}, {18, 6}}, OneDegreeBeams(), log);
     FAIL() << "drove through a wall";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("found a wall at (12.00, 6.00)"));
   }
 }
 
+TEST(Simulation, NamesThePlaceWhereTheRobotWouldTouchThePedestrian) {
+  std::ostringstream log;
+  // Comes towards the robot.
+  const Scene scene(Yard(), Pedestrian{{0.2, 0.4}, 1.0, {{10, 2}, {2, 2}}});
+  try {
+    Simulate(scene, {{2, 2}, {10, 2}}, OneDegreeBeams(), log);
+    FAIL() << "ran into the pedestrian";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("found the pedestrian at ("));
+  }
+}
+
 TEST(Simulation, GivesUpOnATourThatItCannotDrive) {
   std::ostringstream log;
-  SimulationOptions options;
+  SimulationOptions options = OneDegreeBeams();
   options.follower.max_acceleration_m_s2 = 0.0;
   EXPECT_THROW(Simulate(Yard(), {{2, 2}, {4, 2}}, options, log), std::runtime_error);
 }
@@ -97,20 +115,64 @@ int CountReturns(const backend::Trajectory& trajectory) {
   return returns;
 }
 
-TEST(PaperBuilding, TourTouchesNoWallAndClosesLoops) {
-  const std::string folder = WORLDS_FOLDER;
-  const World world = World::Read(folder + "/paper_building.yaml");
-  EXPECT_EQ(world.raster().width, 1880);
-  EXPECT_EQ(world.raster().height, 1320);
-  std::ostringstream log;
+std::string InWorlds(const std::string& file) { return std::string(WORLDS_FOLDER "/") + file; }
+
+SimulationOptions OneBeam() {  // for tests in which only the tour matters
   SimulationOptions options;
-  options.lidar.beams = 1;  // Only the tour matters.
+  options.lidar.beams = 1;
+  return options;
+}
+
+TEST(PaperBuilding, TourTouchesNoWallAndClosesLoops) {
+  const Scene scene = Scene::Read(InWorlds("paper_building.yaml"), "", false);
+  EXPECT_EQ(scene.world.raster().width, 1880);
+  EXPECT_EQ(scene.world.raster().height, 1320);
+  std::ostringstream log;
   const SimulationSummary summary =
-      Simulate(world, ReadWayPoints(folder + "/paper_building.path.yaml"), options, log);
+      Simulate(scene, ReadWayPoints(InWorlds("paper_building.path.yaml")), OneBeam(), log);
   EXPECT_GT(summary.path_length_m, 180.0);
   EXPECT_LT(summary.path_length_m, 250.0);
   EXPECT_GE(CountReturns(summary.world_T_robot), 3);
 }
+
+TEST(PaperBuilding, ShortTourClosesALoop) {
+  const Scene scene = Scene::Read(InWorlds("paper_building.yaml"), "", false);
+  std::ostringstream log;
+  const SimulationSummary summary =
+      Simulate(scene, ReadWayPoints(InWorlds("paper_building.short.path.yaml")), OneBeam(), log);
+  EXPECT_GT(summary.path_length_m, 60.0);
+  EXPECT_LT(summary.path_length_m, 80.0);
+  EXPECT_GE(CountReturns(summary.world_T_robot), 1);
+}
+
+// The paper's robot drives at 1.5 to 3 m/s and turns at 0.6 to 1 rad/s.
+struct Limits {
+  double speed_m_s, turn_rate_rad_s;
+};
+class PaperObstacles : public testing::TestWithParam<Limits> {};
+
+TEST_P(PaperObstacles, AreNotTouchedOnAnyTour) {
+  SimulationOptions options = OneBeam();
+  options.follower.max_speed_m_s = GetParam().speed_m_s;
+  options.follower.max_turn_rate_rad_s = GetParam().turn_rate_rad_s;
+  for (const bool walks : {false, true}) {
+    const Scene scene =
+        Scene::Read(InWorlds("paper_building.yaml"), InWorlds("paper_obstacles.yaml"), walks);
+    EXPECT_EQ(scene.pedestrian.has_value(), walks);
+    for (const char* path : {"paper_building.path.yaml", "paper_building.short.path.yaml"}) {
+      std::ostringstream log;
+      EXPECT_NO_THROW(Simulate(scene, ReadWayPoints(InWorlds(path)), options, log)) << path;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Limits, PaperObstacles,
+                         testing::Values(Limits{1.5, 0.6}, Limits{1.5, 1.0}, Limits{3.0, 0.6},
+                                         Limits{3.0, 1.0}),
+                         [](const auto& test) {
+                           return "Speed" + std::to_string(int(10 * test.param.speed_m_s)) +
+                                  "TurnRate" + std::to_string(int(10 * test.param.turn_rate_rad_s));
+                         });
 
 }  // namespace
 }  // namespace gmapping_spa::simulation
