@@ -3,9 +3,11 @@
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_WORLD_H_
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "frontend/map/trinary_map.h"
 
@@ -21,7 +23,7 @@ map::TrinaryMap ReadWorldRaster(const std::string& path);
 // to see and nowhere to drive. Coordinates are in the world frame, in metres.
 class World {
  public:
-  explicit World(map::TrinaryMap raster) : raster_(std::move(raster)) {}
+  explicit World(map::TrinaryMap raster);
 
   // Distance along the ray to where it enters the first solid cell; nothing when that is farther
   // than max_range_m or never happens. Exact for the raster (to rounding), 0 from inside a solid.
@@ -36,13 +38,16 @@ class World {
   const map::TrinaryMap& raster() const { return raster_; }
 
  private:
-  bool IsSolid(int column, int row) const {
-    return raster_.at(column, row) == map::CellState::kOccupied;
+  int ClearanceAt(int column, int row) const {
+    return clearance_[static_cast<std::size_t>(row) * raster_.width + column];
   }
+  bool IsSolid(int column, int row) const { return ClearanceAt(column, row) == 0; }
   // In units of cells, from the lower left corner.
   Eigen::Vector2d ToCells(const Eigen::Vector2d& world_point) const;
 
   map::TrinaryMap raster_;
+  // Of each cell: all cells fewer columns and rows away are empty and within the raster. 0: solid.
+  std::vector<std::uint8_t> clearance_;
 };
 
 }  // namespace gmapping_spa::simulation

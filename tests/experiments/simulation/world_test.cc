@@ -8,8 +8,12 @@
 #include <fstream>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include "backend/counter_random.h"
 
 namespace gmapping_spa::simulation {
 namespace {
@@ -73,6 +77,39 @@ TEST(World, RaysMeetBoxesAtTheAnalyticDistance) {
     }
   }
   EXPECT_GT(hits, 200);
+}
+
+TEST(World, RaysMeetTheNearestOfScatteredCells) {
+  map::TrinaryMap raster{60, 50, 0.1, -1.0, 2.0, std::vector<CellState>(3000, CellState::kFree)};
+  std::vector<Eigen::Vector2d> corners;
+  backend::CounterRandom random(1, 0);
+  for (int row = 0; row < raster.height; ++row) {
+    for (int column = 0; column < raster.width; ++column) {
+      // More in the upper part: both open space and crowds.
+      if (random.Uniform() > 0.002 * row) continue;
+      raster.at(column, row) = CellState::kOccupied;
+      corners.emplace_back(-1.0 + 0.1 * column, 2.0 + 0.1 * row);
+    }
+  }
+  const World world(raster);
+  int hits = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector2d origin(-1.0 + 6.0 * random.Uniform(), 2.0 + 5.0 * random.Uniform());
+    const double angle_rad = 7.0 * random.Uniform();
+    double expected = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector2d& corner : corners) {
+      expected = std::min(
+          expected, RangeToBox(origin, angle_rad, corner, corner + Eigen::Vector2d::Constant(0.1)));
+    }
+    const std::optional<double> range_m = world.CastRay(origin, angle_rad, 30.0);
+    ASSERT_EQ(range_m.has_value(), std::isfinite(expected)) << i;
+    if (range_m) {
+      EXPECT_NEAR(*range_m, expected, 1e-9) << i;
+    }
+    hits += range_m.has_value();
+  }
+  EXPECT_GT(hits, 500);
+  EXPECT_LT(hits, 1900);
 }
 
 TEST(World, RaysAlongTheAxesAreExact) {
