@@ -2,56 +2,107 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <string>
 
 namespace gmapping_spa::simulation {
 namespace {
 
-// Independent of the stream's settings and locale, and faster than it.
-struct Fixed {
-  double value;
-  int digits;
+// A record, put together in memory: streams are slow, and depend on settings and locale.
+class Line {
+ public:
+  explicit Line(const char* type) : text_(type) {}
+
+  Line& Text(const char* text) {
+    text_ += text;
+    return *this;
+  }
+
+  // With so many digits after the point. The number must fit into 64 bits without the point.
+  template <int kDigits>
+  Line& Fixed(double value) {
+    constexpr std::int64_t kPerUnit = kDigits == 3 ? 1000 : 1000000;
+    static_assert(kDigits == 3 || kDigits == 6);
+    const std::int64_t all = std::llround(std::abs(value) * kPerUnit);
+    text_ += std::signbit(value) ? " -" : " ";
+    Append(all / kPerUnit);
+    text_ += '.';
+    const std::string::size_type begin = text_.size();
+    Append(all % kPerUnit);
+    text_.insert(begin, kDigits - (text_.size() - begin), '0');
+    return *this;
+  }
+
+  Line& Fixed6(const backend::SE2& pose) {
+    return Fixed<6>(pose.x).Fixed<6>(pose.y).Fixed<6>(pose.theta);
+  }
+
+  Line& Fixed6(const BodyVelocity& velocity) {
+    return Fixed<6>(velocity.linear_m_s).Fixed<6>(velocity.angular_rad_s);
+  }
+
+  // With as many digits as it takes to read the same number again.
+  Line& Exact(double value) {
+    text_ += ' ';
+    Append(value);
+    return *this;
+  }
+
+  void Write(double stamp_s, std::ostream& out) {
+    Fixed<6>(stamp_s).Text(" simulator").Fixed<6>(stamp_s).Text("\n");
+    out.write(text_.data(), static_cast<std::streamsize>(text_.size()));
+  }
+
+ private:
+  template <typename Number>
+  void Append(Number value) {
+    std::array<char, 32> digits;
+    text_.append(digits.data(),
+                 std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
+  }
+
+  std::string text_;
 };
-std::ostream& operator<<(std::ostream& out, const Fixed& number) {
-  std::array<char, 400> text;  // The largest double has 309 digits before the point.
-  const auto result = std::to_chars(text.data(), text.data() + text.size(), number.value,
-                                    std::chars_format::fixed, number.digits);
-  return out.write(text.data(), result.ptr - text.data());
-}
-
-std::ostream& operator<<(std::ostream& out, const backend::SE2& pose) {
-  return out << Fixed{pose.x, 6} << ' ' << Fixed{pose.y, 6} << ' ' << Fixed{pose.theta, 6};
-}
-
-std::ostream& operator<<(std::ostream& out, const BodyVelocity& velocity) {
-  return out << Fixed{velocity.linear_m_s, 6} << ' ' << Fixed{velocity.angular_rad_s, 6};
-}
 
 }  // namespace
 
-void CarmenWriter::WriteComment(const std::string& text) { out_ << "# " << text << '\n'; }
-
-void CarmenWriter::WriteOdometry(double stamp_s, const backend::SE2& odom_T_robot,
-                                 const BodyVelocity& velocity) {
-  out_ << "ODOM " << odom_T_robot << ' ' << velocity << " 0";
-  WriteStamps(stamp_s);
+CarmenWriter::CarmenWriter(std::ostream& out) : out_(out) {
+  out_ << "# CARMEN log of a simulated robot\n"
+          "# ODOM x y theta tv rv accel ipc_timestamp ipc_hostname logger_timestamp\n"
+          "# ROBOTLASER1 laser_type start_angle field_of_view angular_resolution maximum_range "
+          "accuracy remission_mode num_readings [ranges] num_remissions [remissions] laser_x "
+          "laser_y laser_theta robot_x robot_y robot_theta laser_tv laser_rv forward_safety_dist "
+          "side_safety_dist turn_axis ipc_timestamp ipc_hostname logger_timestamp\n";
 }
 
-void CarmenWriter::WriteScan(double stamp_s, const backend::SE2& odom_T_robot,
-                             const BodyVelocity& velocity, const LidarOptions& lidar,
-                             const std::vector<double>& ranges_m) {
+void CarmenWriter::OnOdometry(const OdometryReading& reading) {
+  Line("ODOM")
+      .Fixed6(reading.odom_T_robot)
+      .Fixed6(reading.velocity)
+      .Text(" 0")
+      .Write(reading.stamp_s, out_);
+}
+
+void CarmenWriter::OnScan(const OdometryReading& odometry, const LidarOptions& lidar,
+                          const std::vector<double>& ranges_m) {
   // The field of view is from the first to the last beam, so that readers that divide it by the
   // number of gaps agree with those that use the resolution.
-  out_ << "ROBOTLASER1 0 " << Fixed{lidar.start_angle_rad(), 9} << ' '
-       << Fixed{lidar.angular_resolution_rad() * (lidar.beams - 1), 9} << ' '
-       << Fixed{lidar.angular_resolution_rad(), 9} << ' ' << Fixed{lidar.max_range_m, 3} << ' '
-       << Fixed{lidar.range_noise_m, 3} << " 0 " << ranges_m.size();
-  for (const double range_m : ranges_m) out_ << ' ' << Fixed{range_m, 3};
-  out_ << " 0 " << odom_T_robot << ' ' << odom_T_robot << ' ' << velocity << " 0 0 0";
-  WriteStamps(stamp_s);
-}
-
-void CarmenWriter::WriteStamps(double stamp_s) {
-  out_ << ' ' << Fixed{stamp_s, 6} << " simulator " << Fixed{stamp_s, 6} << '\n';
+  Line line("ROBOTLASER1 0");
+  line.Exact(lidar.start_angle_rad())
+      .Exact(lidar.angular_resolution_rad() * (lidar.beams - 1))
+      .Exact(lidar.angular_resolution_rad())
+      .Exact(lidar.max_range_m)
+      .Exact(lidar.range_noise_m)
+      .Text(" 0 ")
+      .Text(std::to_string(ranges_m.size()).c_str());
+  for (const double range_m : ranges_m) line.Fixed<3>(range_m);
+  line.Text(" 0")
+      .Fixed6(odometry.odom_T_robot)
+      .Fixed6(odometry.odom_T_robot)
+      .Fixed6(odometry.velocity)
+      .Text(" 0 0 0")
+      .Write(odometry.stamp_s, out_);
 }
 
 }  // namespace gmapping_spa::simulation

@@ -4,34 +4,25 @@
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_CARMEN_WRITER_H_
 
 #include <ostream>
-#include <string>
 #include <vector>
 
-#include "backend/se2.h"
-#include "experiments/simulation/differential_drive.h"
-#include "experiments/simulation/lidar.h"
+#include "experiments/simulation/log_sink.h"
 
 namespace gmapping_spa::simulation {
 
-// Both time stamps of a record are the time of measurement. Ranges are written to the millimetre.
-class CarmenWriter {
+// Both time stamps of a record are the time of measurement.
+class CarmenWriter : public LogSink {
  public:
-  explicit CarmenWriter(std::ostream& out) : out_(out) {}
+  // Writes comments that say what the records hold.
+  explicit CarmenWriter(std::ostream& out);
 
-  // A line that readers skip.
-  void WriteComment(const std::string& text);
-
-  // ODOM x y theta tv rv accel ipc_timestamp ipc_hostname logger_timestamp
-  void WriteOdometry(double stamp_s, const backend::SE2& odom_T_robot,
-                     const BodyVelocity& velocity);
-
-  // ROBOTLASER1 of a laser at the robot's centre, facing forward.
-  void WriteScan(double stamp_s, const backend::SE2& odom_T_robot, const BodyVelocity& velocity,
-                 const LidarOptions& lidar, const std::vector<double>& ranges_m);
+  // ODOM
+  void OnOdometry(const OdometryReading& reading) override;
+  // ROBOTLASER1
+  void OnScan(const OdometryReading& odometry, const LidarOptions& lidar,
+              const std::vector<double>& ranges_m) override;
 
  private:
-  void WriteStamps(double stamp_s);
-
   std::ostream& out_;
 };
 

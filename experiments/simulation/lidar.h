@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "backend/se2.h"
+#include "experiments/simulation/differential_drive.h"
 #include "experiments/simulation/scene.h"
 
 namespace gmapping_spa::simulation {
@@ -21,15 +22,25 @@ struct LidarOptions {
   double rate_hz = 10.0;
   double max_range_m = 30.0;
   double range_noise_m = 0.015;  // standard deviation
+  // Whether the laser moves while it turns. The stamp of a scan is the time at which the beam
+  // straight ahead is measured, the middle of the turn, whose pose explains the scan best.
+  bool motion_during_scan = false;
 
   double start_angle_rad() const { return -std::numbers::pi; }
   double angular_resolution_rad() const { return 2.0 * std::numbers::pi / beams; }
 };
 
-// The ranges, in m, of the scan with this number, all taken at `time_s` from the laser's pose.
-// Normal noise is added to each; max_range_m stands for no return.
-std::vector<double> Scan(const Scene& scene, double time_s, const backend::SE2& world_T_laser,
-                         const LidarOptions& options, std::uint64_t seed, std::uint32_t scan);
+// How the laser moves during a turn.
+struct Sweep {
+  double stamp_s = 0.0;
+  backend::SE2 world_T_laser;  // at the stamp
+  BodyVelocity before, after;  // in the half turns before and after it
+};
+
+// The ranges, in m, of the scan with this number. All beams are measured at the stamp, or each at
+// its time as the laser moves. Normal noise is added; max_range_m stands for no return.
+std::vector<double> Scan(const Scene& scene, const Sweep& sweep, const LidarOptions& options,
+                         std::uint64_t seed, std::uint32_t scan);
 
 }  // namespace gmapping_spa::simulation
 

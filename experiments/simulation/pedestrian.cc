@@ -1,6 +1,5 @@
 #include "experiments/simulation/pedestrian.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>

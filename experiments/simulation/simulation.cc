@@ -6,12 +6,12 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-
-#include "experiments/simulation/carmen_writer.h"
+#include <vector>
 
 namespace gmapping_spa::simulation {
 namespace {
 
+// A step is half a turn of the laser: what Sweep relies on.
 constexpr std::int64_t kStepsPerScan = 2;
 
 std::string Describe(const Eigen::Vector2d& point) {
@@ -41,47 +41,51 @@ double TimeLimit(const WayPoints& way_points, const WayPointFollowerOptions& opt
   return limit_s;
 }
 
+double Rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }
+
+OdometryReading ReadingOf(const Odometry& odometry, double stamp_s) {
+  const auto rounded = [](double value) { return Rounded(value, 1e6); };
+  const backend::SE2& pose = odometry.odom_T_robot();
+  const BodyVelocity& velocity = odometry.measured_velocity();
+  return {rounded(stamp_s),
+          {rounded(pose.x), rounded(pose.y), rounded(pose.theta)},
+          {rounded(velocity.linear_m_s), rounded(velocity.angular_rad_s)}};
+}
+
 }  // namespace
 
 SimulationSummary Simulate(const Scene& scene, const WayPoints& way_points,
-                           const SimulationOptions& options, std::ostream& log,
-                           const std::function<void()>& after_scan) {
+                           const SimulationOptions& options, LogSink* sink) {
   const double step_s = 1.0 / (options.lidar.rate_hz * kStepsPerScan);
   const double limit_s = TimeLimit(way_points, options.follower);
   WayPointFollower follower(way_points, options.follower);
   Odometry odometry(options.odometry, options.seed);
-  CarmenWriter writer(log);
-  writer.WriteComment("CARMEN log of a simulated robot");
-  writer.WriteComment("ODOM x y theta tv rv accel ipc_timestamp ipc_hostname logger_timestamp");
-  writer.WriteComment(
-      "ROBOTLASER1 laser_type start_angle field_of_view angular_resolution maximum_range accuracy "
-      "remission_mode num_readings [ranges] num_remissions [remissions] laser_x laser_y "
-      "laser_theta robot_x robot_y robot_theta laser_tv laser_rv forward_safety_dist "
-      "side_safety_dist turn_axis ipc_timestamp ipc_hostname logger_timestamp");
 
   SimulationSummary summary;
   backend::SE2 world_T_robot = follower.Start();
+  BodyVelocity velocity;
   for (std::int64_t step = 0; !follower.Done(); ++step) {
     // Not a sum of steps: stamps must not drift.
-    const double stamp_s =
+    const double time_s =
         static_cast<double>(step) / (options.lidar.rate_hz * static_cast<double>(kStepsPerScan));
-    if (stamp_s > limit_s) {
+    if (time_s > limit_s) {
       throw std::runtime_error("tour: expected to reach every way point, found the robot at " +
                                Describe(world_T_robot.translation()) + " after " +
                                std::to_string(limit_s) + " s");
     }
-    CheckFree(scene, world_T_robot, options.robot_radius_m, stamp_s);
-    writer.WriteOdometry(stamp_s, odometry.odom_T_robot(), odometry.measured_velocity());
+    CheckFree(scene, world_T_robot, options.robot_radius_m, time_s);
+    const BodyVelocity next_velocity = follower.Next(world_T_robot, step_s);
+    const OdometryReading reading = ReadingOf(odometry, time_s);
+    sink->OnOdometry(reading);
     if (step % kStepsPerScan == 0) {
-      const std::vector<double> ranges_m =
-          Scan(scene, stamp_s, world_T_robot, options.lidar, options.seed,
+      std::vector<double> ranges_m =
+          Scan(scene, {time_s, world_T_robot, velocity, next_velocity}, options.lidar, options.seed,
                static_cast<std::uint32_t>(step / kStepsPerScan));
-      writer.WriteScan(stamp_s, odometry.odom_T_robot(), odometry.measured_velocity(),
-                       options.lidar, ranges_m);
-      summary.world_T_robot.push_back({stamp_s, world_T_robot});
-      after_scan();
+      for (double& range_m : ranges_m) range_m = Rounded(range_m, 1e3);
+      sink->OnScan(reading, options.lidar, ranges_m);
+      summary.world_T_robot.push_back({reading.stamp_s, world_T_robot});
     }
-    const BodyVelocity velocity = follower.Next(world_T_robot, step_s);
+    velocity = next_velocity;
     world_T_robot = Drive(world_T_robot, velocity, step_s);
     odometry.Advance(velocity, step_s);
     summary.path_length_m += std::abs(velocity.linear_m_s) * step_s;

@@ -1,13 +1,12 @@
-// A robot on a tour through a world, and the sensor log that it records.
+// A robot on a tour through a world, and what its sensors say.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_SIMULATION_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_SIMULATION_H_
 
 #include <cstdint>
-#include <functional>
-#include <ostream>
 
 #include "backend/trajectory_io.h"
 #include "experiments/simulation/lidar.h"
+#include "experiments/simulation/log_sink.h"
 #include "experiments/simulation/odometry.h"
 #include "experiments/simulation/scene.h"
 #include "experiments/simulation/way_point_follower.h"
@@ -29,12 +28,11 @@ struct SimulationSummary {
   int slips = 0, bumps = 0;
 };
 
-// Drives the tour and writes the log: two odometry records a scan, as robots commonly have, from
-// time 0 on. `after_scan` is called after each scan. The same arguments give the same bytes.
-// Throws std::runtime_error with one line when the robot would touch something or does not arrive.
-SimulationSummary Simulate(
-    const Scene& scene, const WayPoints& way_points, const SimulationOptions& options,
-    std::ostream& log, const std::function<void()>& after_scan = [] {});
+// Drives the tour and hands the readings to `sink`: two of odometry a scan, as robots commonly
+// have, from time 0 on. The same arguments give the same readings. Throws std::runtime_error with
+// one line when the robot would touch something (it is checked at each reading) or does not arrive.
+SimulationSummary Simulate(const Scene& scene, const WayPoints& way_points,
+                           const SimulationOptions& options, LogSink* sink);
 
 }  // namespace gmapping_spa::simulation
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/simulation/carmen_writer.h"
+
 namespace gmapping_spa::simulation {
 namespace {
 
@@ -29,6 +31,19 @@ SimulationOptions OneDegreeBeams() {
   return options;
 }
 
+// For tests in which only the tour matters.
+class Nowhere : public LogSink {
+  void OnOdometry(const OdometryReading& /*reading*/) override {}
+  void OnScan(const OdometryReading& /*odometry*/, const LidarOptions& /*lidar*/,
+              const std::vector<double>& /*ranges_m*/) override {}
+};
+
+SimulationSummary Drive(const Scene& scene, const WayPoints& way_points,
+                        const SimulationOptions& options) {
+  Nowhere nowhere;
+  return Simulate(scene, way_points, options, &nowhere);
+}
+
 int CountLines(const std::string& text, const std::string& start) {
   std::istringstream in(text);
   int count = 0;
@@ -38,9 +53,10 @@ int CountLines(const std::string& text, const std::string& start) {
 
 TEST(Simulation, WritesTwoOdometryReadingsAScan) {
   std::ostringstream log;
+  CarmenWriter writer(log);
   SimulationOptions options = OneDegreeBeams();
   options.follower.max_speed_m_s = 1.0;
-  const SimulationSummary summary = Simulate(Yard(), {{2, 2}, {12, 2}}, options, log);
+  const SimulationSummary summary = Simulate(Yard(), {{2, 2}, {12, 2}}, options, &writer);
   const int scans = static_cast<int>(summary.world_T_robot.size());
   EXPECT_GT(scans, 90);
   EXPECT_EQ(CountLines(log.str(), "ROBOTLASER1 "), scans);
@@ -54,9 +70,10 @@ TEST(Simulation, SameSeedGivesTheSameBytesAndAnotherSeedAnotherLog) {
   const WayPoints way_points = {{2, 2}, {8, 2}, {8, 6}};
   const auto log_of = [&](std::uint64_t seed) {
     std::ostringstream log;
+    CarmenWriter writer(log);
     SimulationOptions options = OneDegreeBeams();
     options.seed = seed;
-    Simulate(Yard(), way_points, options, log);
+    Simulate(Yard(), way_points, options, &writer);
     return log.str();
   };
   const std::string log = log_of(4);
@@ -64,10 +81,28 @@ TEST(Simulation, SameSeedGivesTheSameBytesAndAnotherSeedAnotherLog) {
   EXPECT_NE(log, log_of(5));
 }
 
+TEST(Simulation, TruthIsWhatTheLaserSees) {
+  SimulationOptions options;
+  options.lidar.beams = 4;
+  options.lidar.range_noise_m = 0.0;
+  // Straight towards the wall.
+  struct CheckScans : Nowhere {
+    std::vector<std::vector<double>> scans;
+    void OnScan(const OdometryReading& /*odometry*/, const LidarOptions& /*lidar*/,
+                const std::vector<double>& ranges_m) override {
+      scans.push_back(ranges_m);
+    }
+  } seen;
+  const SimulationSummary summary = Simulate(Yard(), {{2, 6}, {9, 6}}, options, &seen);
+  ASSERT_EQ(seen.scans.size(), summary.world_T_robot.size());
+  for (std::size_t i = 0; i < seen.scans.size(); ++i) {
+    EXPECT_NEAR(seen.scans[i][2], 12.0 - summary.world_T_robot[i].world_T_robot.x, 0.00051) << i;
+  }
+}
+
 TEST(Simulation, NamesThePlaceWhereTheRobotWouldTouchAWall) {
-  std::ostringstream log;
   try {
-    Simulate(Yard(), {{2, 6}, {18, 6}}, OneDegreeBeams(), log);
+    Drive(Yard(), {{2, 6}, {18, 6}}, OneDegreeBeams());
     FAIL() << "drove through a wall";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("found a wall at (12.00, 6.00)"));
@@ -75,11 +110,10 @@ TEST(Simulation, NamesThePlaceWhereTheRobotWouldTouchAWall) {
 }
 
 TEST(Simulation, NamesThePlaceWhereTheRobotWouldTouchThePedestrian) {
-  std::ostringstream log;
   // Comes towards the robot.
   const Scene scene(Yard(), Pedestrian{{0.2, 0.4}, 1.0, {{10, 2}, {2, 2}}});
   try {
-    Simulate(scene, {{2, 2}, {10, 2}}, OneDegreeBeams(), log);
+    Drive(scene, {{2, 2}, {10, 2}}, OneDegreeBeams());
     FAIL() << "ran into the pedestrian";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("found the pedestrian at ("));
@@ -87,10 +121,9 @@ TEST(Simulation, NamesThePlaceWhereTheRobotWouldTouchThePedestrian) {
 }
 
 TEST(Simulation, GivesUpOnATourThatItCannotDrive) {
-  std::ostringstream log;
   SimulationOptions options = OneDegreeBeams();
   options.follower.max_acceleration_m_s2 = 0.0;
-  EXPECT_THROW(Simulate(Yard(), {{2, 2}, {4, 2}}, options, log), std::runtime_error);
+  EXPECT_THROW(Drive(Yard(), {{2, 2}, {4, 2}}, options), std::runtime_error);
 }
 
 // How often the tour comes back to within 1 m of a place that it left at least 30 m before.
@@ -117,7 +150,7 @@ int CountReturns(const backend::Trajectory& trajectory) {
 
 std::string InWorlds(const std::string& file) { return std::string(WORLDS_FOLDER "/") + file; }
 
-SimulationOptions OneBeam() {  // for tests in which only the tour matters
+SimulationOptions OneBeam() {
   SimulationOptions options;
   options.lidar.beams = 1;
   return options;
@@ -127,9 +160,8 @@ TEST(PaperBuilding, TourTouchesNoWallAndClosesLoops) {
   const Scene scene = Scene::Read(InWorlds("paper_building.yaml"), "", false);
   EXPECT_EQ(scene.world.raster().width, 1880);
   EXPECT_EQ(scene.world.raster().height, 1320);
-  std::ostringstream log;
   const SimulationSummary summary =
-      Simulate(scene, ReadWayPoints(InWorlds("paper_building.path.yaml")), OneBeam(), log);
+      Drive(scene, ReadWayPoints(InWorlds("paper_building.path.yaml")), OneBeam());
   EXPECT_GT(summary.path_length_m, 180.0);
   EXPECT_LT(summary.path_length_m, 250.0);
   EXPECT_GE(CountReturns(summary.world_T_robot), 3);
@@ -137,9 +169,8 @@ TEST(PaperBuilding, TourTouchesNoWallAndClosesLoops) {
 
 TEST(PaperBuilding, ShortTourClosesALoop) {
   const Scene scene = Scene::Read(InWorlds("paper_building.yaml"), "", false);
-  std::ostringstream log;
   const SimulationSummary summary =
-      Simulate(scene, ReadWayPoints(InWorlds("paper_building.short.path.yaml")), OneBeam(), log);
+      Drive(scene, ReadWayPoints(InWorlds("paper_building.short.path.yaml")), OneBeam());
   EXPECT_GT(summary.path_length_m, 60.0);
   EXPECT_LT(summary.path_length_m, 80.0);
   EXPECT_GE(CountReturns(summary.world_T_robot), 1);
@@ -160,8 +191,7 @@ TEST_P(PaperObstacles, AreNotTouchedOnAnyTour) {
         Scene::Read(InWorlds("paper_building.yaml"), InWorlds("paper_obstacles.yaml"), walks);
     EXPECT_EQ(scene.pedestrian.has_value(), walks);
     for (const char* path : {"paper_building.path.yaml", "paper_building.short.path.yaml"}) {
-      std::ostringstream log;
-      EXPECT_NO_THROW(Simulate(scene, ReadWayPoints(InWorlds(path)), options, log)) << path;
+      EXPECT_NO_THROW(Drive(scene, ReadWayPoints(InWorlds(path)), options)) << path;
     }
   }
 }

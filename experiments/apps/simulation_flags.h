@@ -1,0 +1,32 @@
+// Flags of the simulated robot, for every executable that runs it.
+#ifndef GMAPPING_SPA_EXPERIMENTS_APPS_SIMULATION_FLAGS_H_
+#define GMAPPING_SPA_EXPERIMENTS_APPS_SIMULATION_FLAGS_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/apps/output_files.h"
+#include "experiments/simulation/simulation.h"
+
+namespace gmapping_spa::apps {
+
+// A world, a tour of it and a robot.
+struct SimulationSetup {
+  std::vector<std::string> input_files;  // that it was read from: world, path, obstacles
+  simulation::Scene scene;
+  simulation::WayPoints way_points;
+  simulation::SimulationOptions options;
+  map::TrinaryMap truth;
+};
+
+// Throws std::runtime_error with one line when a flag or a file makes no sense.
+SimulationSetup SimulationFromFlags(std::uint64_t seed);
+
+// Writes truth.tum, truth.pgm and truth.yaml.
+void WriteTruth(const SimulationSetup& setup, const simulation::SimulationSummary& summary,
+                OutputFiles* files);
+
+}  // namespace gmapping_spa::apps
+
+#endif  // GMAPPING_SPA_EXPERIMENTS_APPS_SIMULATION_FLAGS_H_
