@@ -24,7 +24,9 @@ Json FlagValue(const gflags::CommandLineFlagInfo& flag) {
 }
 
 Json ResultFlags() {
-  static const std::set<std::string> kNoInfluence = {"log", "output_dir", "threads"};
+  // Of files it is the content that counts, which stands under "input".
+  static const std::set<std::string> kNoInfluence = {"log",       "world",      "path",
+                                                     "obstacles", "output_dir", "threads"};
   std::vector<gflags::CommandLineFlagInfo> flags;
   gflags::GetAllFlags(&flags);
   Json json;
@@ -40,9 +42,8 @@ double Seconds(const timeval& time) {
 
 }  // namespace
 
-Json MakeRunRecord(const FileIdentity& input, const sensor::LogCounts& log_counts,
-                   const frontend::ImprovedGmapping& gmapping, const map::TrinaryMap& map,
-                   const Stopwatch& stopwatch) {
+Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping,
+                   const map::TrinaryMap& map, const Stopwatch& stopwatch) {
   std::string threads;
   gflags::GetCommandLineOption("threads", &threads);
   const frontend::ImprovedGmapping::Counts& counts = gmapping.counts();
@@ -57,7 +58,7 @@ Json MakeRunRecord(const FileIdentity& input, const sensor::LogCounts& log_count
         {"eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) +
                       "." + std::to_string(EIGEN_MINOR_VERSION)}}},
       {"flags", ResultFlags()},
-      {"input", {{"sha256", input.sha256}, {"bytes", input.bytes}, {"records", log_counts}}},
+      {"input", input},
       {"counts",
        {{"scans", counts.scans},
         {"updates", counts.updates},

@@ -4,11 +4,9 @@
 
 #include <chrono>
 
-#include "experiments/apps/input_file.h"
 #include "experiments/apps/json.h"
 #include "frontend/improved_gmapping.h"
 #include "frontend/map/trinary_map.h"
-#include "frontend/sensor/log_reader.h"
 
 namespace gmapping_spa::apps {
 
@@ -29,11 +27,11 @@ class Stopwatch {
   Json laps_;
 };
 
-// Everything that may differ between two runs with the same input, flags and seed (times, memory,
-// and what does not change results: --threads and where outputs go) stands under "resources".
-Json MakeRunRecord(const FileIdentity& input, const sensor::LogCounts& log_counts,
-                   const frontend::ImprovedGmapping& gmapping, const map::TrinaryMap& map,
-                   const Stopwatch& stopwatch);
+// `input` says what the scans came from. Everything that may differ between two runs with the same
+// input, flags and seed (times, memory, and what does not change results: --threads and where
+// outputs go) stands under "resources".
+Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping,
+                   const map::TrinaryMap& map, const Stopwatch& stopwatch);
 
 }  // namespace gmapping_spa::apps
 

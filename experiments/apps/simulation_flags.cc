@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include "backend/trajectory_io.h"
 #include "experiments/apps/flag_checks.h"
@@ -101,8 +102,8 @@ SimulationSetup SimulationFromFlags(std::uint64_t seed) {
       FLAGS_path.empty()
           ? std::filesystem::path(FLAGS_world).replace_extension("path.yaml").string()
           : FLAGS_path;
-  std::vector<std::string> input_files = {FLAGS_world, path};
-  if (!FLAGS_obstacles.empty()) input_files.push_back(FLAGS_obstacles);
+  std::map<std::string, std::string> input_files = {{"world", FLAGS_world}, {"path", path}};
+  if (!FLAGS_obstacles.empty()) input_files["obstacles"] = FLAGS_obstacles;
   simulation::Scene scene =
       simulation::Scene::Read(FLAGS_world, FLAGS_obstacles, FLAGS_walking_pedestrian);
   simulation::WayPoints way_points = simulation::ReadWayPoints(path);

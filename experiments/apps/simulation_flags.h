@@ -3,8 +3,8 @@
 #define GMAPPING_SPA_EXPERIMENTS_APPS_SIMULATION_FLAGS_H_
 
 #include <cstdint>
+#include <map>
 #include <string>
-#include <vector>
 
 #include "experiments/apps/output_files.h"
 #include "experiments/simulation/simulation.h"
@@ -13,7 +13,7 @@ namespace gmapping_spa::apps {
 
 // A world, a tour of it and a robot.
 struct SimulationSetup {
-  std::vector<std::string> input_files;  // that it was read from: world, path, obstacles
+  std::map<std::string, std::string> input_files;  // by their flags: world, path, obstacles
   simulation::Scene scene;
   simulation::WayPoints way_points;
   simulation::SimulationOptions options;

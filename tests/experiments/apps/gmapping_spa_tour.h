@@ -65,19 +65,23 @@ class GmappingSpaTour : public ::testing::Test {
   static void SetUpTestSuite() {
     shared_ = std::make_unique<TemporaryFolder>();
     // There and back again through the same corridor, so that loops can be closed.
-    const std::string path = shared_->FileWith(
-        "path.yaml",
-        "way_points:\n  - [3, 8.2]\n  - [13, 8.2]\n  - [8.2, 8.2]\n  - [8.2, 12.2]\n"
-        "  - [8.2, 8.2]\n  - [13, 8.2]\n  - [3, 8.2]\n");
-    const CommandResult simulate =
-        RunCommand({SIMULATE, "--world=" WORLDS_FOLDER "/paper_building.yaml", "--path=" + path,
-                    "--output_dir=" + shared_->path(), "--angular_resolution=3", "--scan_rate=5",
-                    "--odometry_noise=5", "--seed=7"});
+    shared_->FileWith("path.yaml",
+                      "way_points:\n  - [3, 8.2]\n  - [13, 8.2]\n  - [8.2, 8.2]\n"
+                      "  - [8.2, 12.2]\n  - [8.2, 8.2]\n  - [13, 8.2]\n  - [3, 8.2]\n");
+    std::vector<std::string> words = {SIMULATE, "--output_dir=" + shared_->path(), "--seed=7"};
+    for (const std::string& flag : TourFlags()) words.push_back(flag);
+    const CommandResult simulate = RunCommand(words);
     ASSERT_EQ(simulate.status, 0) << simulate.err;
     const CommandResult slam = RunCommand(Command(shared_->Path("result")));
     ASSERT_EQ(slam.status, 0) << slam.err;
   }
   static void TearDownTestSuite() { shared_.reset(); }
+
+  // Flags of the simulator, but for its seed.
+  static std::vector<std::string> TourFlags() {
+    return {"--world=" WORLDS_FOLDER "/paper_building.yaml", "--path=" + shared_->Path("path.yaml"),
+            "--angular_resolution=3", "--scan_rate=5", "--odometry_noise=5"};
+  }
 
   static std::string Log() { return shared_->Path("log.clf"); }
   static std::string Result(const std::string& file = "") {

@@ -1,0 +1,58 @@
+// Runs SLAM on a simulated robot, without a log in between.
+#include <gflags/gflags.h>
+
+#include <iostream>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "experiments/apps/app.h"
+#include "experiments/apps/input_file.h"
+#include "experiments/apps/output_files.h"
+#include "experiments/apps/simulation_flags.h"
+#include "experiments/apps/slam_run.h"
+#include "experiments/simulation/scan_player.h"
+
+DEFINE_string(output_dir, "", "Folder for the results; made if needed.");
+DECLARE_uint64(seed);
+
+namespace gmapping_spa::apps {
+namespace {
+
+Json Identify(const std::map<std::string, std::string>& input_files) {
+  Json json;
+  for (const auto& [flag, path] : input_files) {
+    const FileIdentity identity = IdentifyFile(path);
+    json[flag] = {{"sha256", identity.sha256}, {"bytes", identity.bytes}};
+  }
+  return json;
+}
+
+void Run() {
+  if (FLAGS_output_dir.empty()) throw std::runtime_error("--output_dir=DIR is missing");
+  const SimulationSetup setup = SimulationFromFlags(FLAGS_seed);
+  SlamRun slam;
+  OutputFiles files(FLAGS_output_dir);
+  simulation::ScanPlayer player([&](const sensor::LaserScan& scan) { slam.AddScan(scan); });
+  const simulation::SimulationSummary summary =
+      simulation::Simulate(setup.scene, setup.way_points, setup.options, &player);
+  WriteTruth(setup, summary, &files);
+  slam.Finish([&] { return Identify(setup.input_files); }, &files);
+  files.Commit();
+  std::cout << slam.counts().scans << " scans over " << summary.path_length_m << " m, "
+            << slam.counts().updates << " updates; results in " << FLAGS_output_dir << '\n';
+}
+
+}  // namespace
+}  // namespace gmapping_spa::apps
+
+int main(int argc, char** argv) {
+  gmapping_spa::apps::SetSlamDefaults();
+  return gmapping_spa::apps::RunApp(
+      argc, argv,
+      "makes a map and a trajectory of a simulated tour: what simulate and gmapping_spa do one "
+      "after the other, with the same --seed.\n"
+      "Usage: simulate_slam --world=FILE --output_dir=DIR [flags of simulate and gmapping_spa]\n"
+      "Writes what gmapping_spa writes, and truth.tum, truth.pgm and truth.yaml.",
+      gmapping_spa::apps::Run);
+}

@@ -1,0 +1,67 @@
+#include "experiments/apps/slam_run.h"
+
+#include <gflags/gflags.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "backend/g2o_io.h"
+#include "backend/trajectory_io.h"
+#include "experiments/apps/app.h"
+#include "experiments/apps/backend_flags.h"
+#include "experiments/apps/closure_table.h"
+#include "experiments/apps/map_picture.h"
+#include "experiments/apps/slam_flags.h"
+#include "frontend/map/map_building.h"
+#include "frontend/map/map_server_io.h"
+
+namespace gmapping_spa::apps {
+namespace {
+
+backend::OptimizationThread::OptimizeFunction OptimizeFromFlags() {
+  OptionsFromFlags();  // complains now, not in the graph thread
+  return [optimizer = std::shared_ptr<backend::Optimizer>(LoadOptimizerFromFlags())](
+             backend::PoseGraph* graph) { return OptimizeAsFlagsSay(optimizer.get(), graph); };
+}
+
+}  // namespace
+
+void SetSlamDefaults() {
+  // Closures found by a machine are never beyond doubt; those in files may have been checked.
+  gflags::SetCommandLineOptionWithMode("loss", "huber", gflags::SET_FLAGS_DEFAULT);
+}
+
+SlamRun::SlamRun()
+    : occupied_threshold_(OccupiedThresholdFromFlags()),
+      gmapping_(SlamOptionsFromFlags(), ScanMatcherFromFlags(), OptimizeFromFlags()) {}
+
+void SlamRun::AddScan(const sensor::LaserScan& scan) {
+  ThrowIfInterrupted();
+  gmapping_.AddScan(scan);
+}
+
+void SlamRun::Finish(const std::function<Json()>& input, OutputFiles* files) {
+  stopwatch_.Lap("processing_s");
+  const frontend::Estimate estimate = gmapping_.Finish();
+  stopwatch_.Lap("finish_s");
+  const backend::Trajectory& trajectory = estimate.trajectory;
+  const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, occupied_threshold_);
+  backend::Trajectory by_time = trajectory;
+  std::stable_sort(by_time.begin(), by_time.end(),
+                   [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; });
+
+  files->Write("trajectory.tum", [&](std::ostream& out) { backend::WriteTum(trajectory, out); });
+  files->Write("map.pgm", [&](std::ostream& out) { map::WritePgm(map, out); });
+  files->Write("map.yaml", [&](std::ostream& out) { map::WriteMapYaml(map, "map.pgm", out); });
+  files->Write("graph.g2o", [&](std::ostream& out) { backend::WriteG2o(estimate.graph, out); });
+  files->Write("loop_closures.csv", [&](std::ostream& out) {
+    WriteClosures(gmapping_.loop_closer().records(), estimate.graph.nodes, out);
+  });
+  WriteMapPicture(map, by_time, files->TemporaryPath("map.png"));
+  stopwatch_.Lap("writing_s");
+  const Json record = MakeRunRecord(input(), gmapping_, map, stopwatch_);
+  files->Write("run.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
+  ThrowIfInterrupted();
+}
+
+}  // namespace gmapping_spa::apps
