@@ -13,14 +13,16 @@ using map::TrinaryMap;
 
 template <typename Shape>
 bool DrawShape(const Shape& shape, TrinaryMap* raster) {
+  const Eigen::Vector2d extent = shape.HalfExtent();
+  if (!shape.center().allFinite() || !extent.allFinite()) return false;  // absurdly large
   const Eigen::Vector2d origin(raster->origin_x_m, raster->origin_y_m);
   const Eigen::Vector2d size(raster->width, raster->height);
   const auto cell_at = [&](const Eigen::Vector2d& world_point) -> Eigen::Vector2i {
     const Eigen::Vector2d cell = (world_point - origin) / raster->resolution_m;
     return cell.cwiseMax(0.0).cwiseMin(size).cast<int>();
   };
-  const Eigen::Vector2i first = cell_at(shape.center() - shape.HalfExtent());
-  const Eigen::Vector2i last = cell_at(shape.center() + shape.HalfExtent());
+  const Eigen::Vector2i first = cell_at(shape.center() - extent);
+  const Eigen::Vector2i last = cell_at(shape.center() + extent);
   bool drew = false;
   for (int row = first.y(); row <= std::min(last.y(), raster->height - 1); ++row) {
     for (int column = first.x(); column <= std::min(last.x(), raster->width - 1); ++column) {

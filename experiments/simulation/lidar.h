@@ -12,11 +12,12 @@
 
 namespace gmapping_spa::simulation {
 
-// Defaults are those of the LSLIDAR N301, the paper's laser: 360 degrees, 10 Hz, up to 30 m. Its
-// driver's README (UbiquityRobotics/ur50_lidar on GitHub) gives 1000 points a turn for version 0.2
-// of the protocol, and 2000 for 0.1. The range of 30 m and the accuracy of +-3 cm are those of the
-// vendor's data sheet as commonly quoted: no copy of it could be had to check them, and what
-// "accuracy" means there is not known. It is taken for a bound of 95 %, two standard deviations.
+// Defaults are those of the LSLIDAR N301, the paper's laser: 360 degrees, 10 Hz, up to 30 m. The
+// README of its ROS driver (UbiquityRobotics/ur50_lidar on GitHub) lists two revisions: "V0.1 2000
+// points per circle", "v0.2 1000 points per circle"; the newer one is taken. The other numbers,
+// +-3 cm among them, are those of the vendor's data sheet as commonly quoted: no copy of it could
+// be had to check them, and what its "accuracy" means is not known. It is taken for a bound of 95
+// %, two standard deviations.
 struct LidarOptions {
   int beams = 1000;  // a turn, from -180 degrees, counter-clockwise
   double rate_hz = 10.0;

@@ -104,6 +104,7 @@ TEST(DrawShapes, NamesTheLineOfWhatIsWrong) {
             ":2: expected a wall [x1, y1, x2, y2, thickness], found a list of 4");
   EXPECT_THAT(ErrorOf("walls:\n  - [1, 1, 2, 2, -0.1]\n"), HasSubstr(":2: expected a thickness"));
   EXPECT_THAT(ErrorOf("discs:\n  - [1, 1]\n"), HasSubstr(":2: expected a disc [x, y, radius]"));
+  EXPECT_THAT(ErrorOf("walls:\n  - [0, 0, 1e308, 0, 1]\n"), HasSubstr(":2: expected a thick"));
   EXPECT_THAT(ErrorOf("discs:\n  - [1, 1, 0]\n"), HasSubstr(":2: expected a radius above 0"));
 }
 
