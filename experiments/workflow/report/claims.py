@@ -1,0 +1,119 @@
+"""What a paper says, as tests that runs can pass or fail: claims.yaml.
+
+    title: of the report
+    source: where the claims come from
+    claims:
+      - says: the claim
+        tests:
+          - {study: NAME, compare: [{SELECTOR OF A}, {SELECTOR OF B}], metric: NAME, expect: better}
+
+`expect` is of A: better (than B), or "not worse by 10 %" (of B), or "not worse by 0.1" (in the
+metric's unit).
+"""
+import dataclasses
+import re
+from typing import Any
+
+from metrics import METRICS
+from study import StudyError
+from yaml_entry import did_you_mean, read_yaml
+
+from . import selection
+
+
+@dataclasses.dataclass(frozen=True)
+class Expectation:
+    """That A is better than B, or not worse by more than an allowance: a share of B and a number
+    in the metric's unit."""
+    share: float
+    allowance: float
+    text: str
+
+    def worsened(self, value, lower_is_better):
+        """What A has to be better than."""
+        if value is None:
+            return None
+        by = abs(value) * self.share + self.allowance
+        return value + by if lower_is_better else value - by
+
+
+@dataclasses.dataclass(frozen=True)
+class Test:
+    study: str
+    a: dict[str, Any]
+    b: dict[str, Any]
+    metric: str
+    expectation: Expectation
+
+
+@dataclasses.dataclass(frozen=True)
+class Claim:
+    says: str
+    tests: list[Test]
+
+
+@dataclasses.dataclass(frozen=True)
+class Claims:
+    title: str
+    source: str
+    claims: list[Claim]
+
+
+def read_claims(file, studies):
+    """studies: those of the report, by name. Claims on other studies of the folder are left out."""
+    parts = _parts(read_yaml(file), ["title", "source", "claims"])
+    read = []
+    for entry in parts["claims"].sequence():
+        below = _parts(entry, ["says", "tests"])
+        tests = [_read_test(test, studies) for test in below["tests"].sequence()]
+        if all(tests):
+            read.append(Claim(below["says"].text(), tests))
+    return Claims(parts["title"].text(), parts["source"].text(), read)
+
+
+def _parts(entry, names):
+    """The values by key, all of which must be there."""
+    parts = entry.mapping(names)
+    for name in names:
+        if name not in parts:
+            entry.fail(f"'{name}' is missing")
+    return parts
+
+
+def _read_test(entry, studies):
+    """None for a test on a study that is not in the report."""
+    parts = _parts(entry, ["study", "compare", "metric", "expect"])
+    name, metric = parts["study"].text(), parts["metric"].text()
+    if metric not in METRICS:
+        parts["metric"].fail(f"unknown metric '{metric}'{did_you_mean(metric, METRICS)}")
+    if METRICS[metric].better == "none":
+        parts["metric"].fail(f"of '{metric}' neither more nor less is better")
+    expectation = _read_expectation(parts["expect"])
+    if name not in studies:
+        files = [file.stem for file in entry.file.parent.glob("*.yaml")]
+        if name not in files:
+            parts["study"].fail(f"no study '{name}' in this folder{did_you_mean(name, files)}")
+        return None
+    study, sides = studies[name], parts["compare"].sequence()
+    if len(sides) != 2:
+        parts["compare"].fail(f"expected two selectors, found {len(sides)}")
+    coordinates = study.cells[0].coordinates()
+    a, b = ({axis: value.scalar() for axis, value in side.mapping(coordinates).items()}
+            for side in sides)
+    try:
+        selection.pairs(study, a, b)
+    except StudyError as error:
+        parts["compare"].fail(str(error))
+    return Test(name, a, b, metric, expectation)
+
+
+def _read_expectation(entry):
+    text = entry.text()
+    if text == "better":
+        return Expectation(0.0, 0.0, text)
+    match = re.fullmatch(r"not worse by (\d+(?:\.\d+)?)( %)?", text)
+    if not match:
+        entry.fail("expected 'better', 'not worse by 10 %' or 'not worse by 0.1' (in the metric's "
+                   f"unit), found {entry.found()}")
+    number = float(match[1])
+    return Expectation(number / 100, 0.0, text) if match[2] else Expectation(0.0, number, text)

@@ -1,0 +1,143 @@
+"""The tables of a study. What depends on the machine's load stands in tables of its own (`cost`),
+so that all others are the same, byte for byte, when the study is run again."""
+from metrics import METRICS, TIMES
+
+from . import selection, statistics
+from .table import Shown, Table, p_value, with_interval
+
+
+def heading(name):
+    unit = METRICS[name].unit
+    return f"{METRICS[name].label} ({unit})" if unit else METRICS[name].label
+
+
+def tables(measured):
+    """All of a study, by what they hold."""
+    makers = (overview, cells, comparisons, runs, cost, cost_comparisons, run_costs)
+    return {make.__name__: make(measured) for make in makers}
+
+
+def overview(measured):
+    """The metrics that the study asks for: a row a cell."""
+    names = [m for m in measured.shown_metrics() if m not in TIMES]
+    rows = []
+    for cell in measured.study.cells:
+        summaries = [_summary(measured, cell, name) for name in names]
+        rows.append([*_identity(cell), _ended(measured, cell), *map(_mean, summaries)])
+    return Table(
+        f"{measured.study.name}_overview",
+        f"{measured.study.title}: mean over the runs that ended well (95 % interval of the mean)",
+        [*_identity_header(measured), "runs ended well",
+         *(heading(m) for m in names)], rows)
+
+
+def cells(measured):
+    """Every metric that any log has: a row a cell and metric."""
+    rows = []
+    for cell in measured.study.cells:
+        for name in measured.all_metrics():
+            if measured.exists(cell.log, name):
+                s = _summary(measured, cell, name)
+                rows.append([*_identity(cell), name, METRICS[name].unit, s.n_ok, s.n_all,
+                             s.mean, s.std, s.median, s.low, s.high])
+    return Table(
+        f"{measured.study.name}_cells",
+        f"{measured.study.title}: all metrics. Runs with a value, all runs, and over those with a "
+        "value: mean, standard deviation, median, 95 % interval of the mean",
+        [*_identity_header(measured), "metric", "unit", "n with value", "n", "mean",
+         "standard deviation", "median", "interval from", "to"], rows)
+
+
+def comparisons(measured):
+    """The study's pairs of cells, by seed."""
+    names = [m for m in measured.shown_metrics() if m not in TIMES]
+    return _comparisons(measured, names, "comparisons")
+
+
+def cost_comparisons(measured):
+    """The same pairs by what they cost."""
+    return _comparisons(measured, measured.cost_metrics(), "cost_comparisons")
+
+
+def _comparisons(measured, names, name):
+    found = [(a, b, metric, statistics.compare(
+                  measured.values(a, metric), measured.values(b, metric),
+                  METRICS[metric].better == "lower"))
+             for selectors in measured.study.compare
+             for a, b in selection.pairs(measured.study, *selectors) for metric in names
+             if METRICS[metric].better != "none" and measured.exists(a.log, metric)]
+    corrected = statistics.holm([comparison.p for *_, comparison in found])
+    rows = [[a.log, selection.label_within_log(a), selection.label_within_log(b), heading(metric),
+             with_interval(c.mean_difference, c.low, c.high), f"{c.n_both} of {c.n_pairs}",
+             f"{c.better} / {c.worse} / {c.equal}", p_value(c.p), p_value(p)]
+            for (a, b, metric, c), p in zip(found, corrected)]
+    return Table(
+        f"{measured.study.name}_{name}",
+        f"{measured.study.title}: A with B, paired by seed. Mean difference A - B over the pairs in "
+        "which both have a value (95 % interval); over all pairs, with failed runs as the worst: "
+        "seeds on which A is better, worse, equal, and p of Wilcoxon's signed-rank test, as it is "
+        f"and with Holm's correction for the {len(rows)} tests of this table",
+        ["log", "A", "B", "metric", "A - B", "pairs", "better / worse / equal", "p", "p (Holm)"],
+        rows)
+
+
+def runs(measured):
+    """Every run with its metrics and all that is needed to do it again."""
+    names = measured.all_metrics()
+    rows = []
+    for run in measured.study.runs:
+        result = measured.result(run.cell, run.seed)
+        start = [*_identity(run.cell), run.seed, run.id]
+        if result is None:
+            rows.append([*start, "missing", *[None] * (len(names) + 4)])
+            continue
+        outcome = result.outcome
+        rows.append([*start, outcome["exit_status"], outcome["error"],
+                     *(measured.values(run.cell, name)[run.seed] for name in names),
+                     outcome["version"], outcome["log_sha256"], outcome["command"]])
+    return Table(
+        f"{measured.study.name}_runs", f"{measured.study.title}: every run",
+        [*_identity_header(measured), "seed", "run", "exit status", "error", *names, "version",
+         "SHA-256 of the log", "command"], rows)
+
+
+def cost(measured):
+    names = measured.cost_metrics()
+    rows = [[*_identity(cell), *(_mean(_summary(measured, cell, name)) for name in names)]
+            for cell in measured.study.cells]
+    return Table(
+        f"{measured.study.name}_cost",
+        f"{measured.study.title}: cost of a run, mean over the runs that ended well (95 % interval "
+        "of the mean)",
+        [*_identity_header(measured), *(heading(m) for m in names)], rows)
+
+
+def run_costs(measured):
+    names = measured.cost_metrics()
+    rows = [[*_identity(r.run.cell), r.run.seed, r.run.id, r.outcome.get("processor"),
+             *(measured.values(r.run.cell, name)[r.run.seed] for name in names)]
+            for r in measured.results]
+    return Table(f"{measured.study.name}_run_costs", f"{measured.study.title}: cost of every run",
+                 [*_identity_header(measured), "seed", "run", "processor", *names], rows)
+
+
+def _identity_header(measured):
+    return list(measured.study.cells[0].coordinates())
+
+
+def _identity(cell):
+    return list(cell.coordinates().values())
+
+
+def _summary(measured, cell, name):
+    return statistics.summarize(list(measured.values(cell, name).values()))
+
+
+def _mean(summary):
+    return with_interval(summary.mean, summary.low, summary.high)
+
+
+def _ended(measured, cell):
+    results = [measured.result(cell, seed) for seed in measured.study.seeds]
+    good = sum(r is not None and not r.failed() for r in results)
+    return Shown(f"{good} of {len(results)}", good)

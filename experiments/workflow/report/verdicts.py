@@ -1,0 +1,109 @@
+"""Verdicts on claims, computed from paired tests: none is written by hand."""
+import dataclasses
+from typing import Any
+
+from metrics import METRICS, TIMES
+
+from . import selection, statistics
+from .claims import Claim, Test, read_claims
+from .table import Shown, Table, p_value
+from .tables import heading
+
+SIGNIFICANT = 0.05
+# From the least to the best. A claim is worth as much as the least of its tests.
+VERDICTS = ("not supported", "undecided", "supported")
+CAPTION = (
+    "A with B, paired by seed. Where A may be worse by some allowance, B is worsened by that much "
+    "first. p is of Wilcoxon's signed-rank test (failed runs are the worst), with Holm's correction "
+    "for the {n} tests of this table. Supported: A is better with p < 0.05; not supported: A is "
+    "worse with p < 0.05; undecided: neither. A claim is supported if all its tests are, and not "
+    "supported if one is not")
+HEADER = ["claim", "study", "log", "A", "B", "metric", "mean A", "mean B", "expected of A",
+          "better / worse / equal", "p", "p (Holm)", "verdict"]
+
+
+@dataclasses.dataclass
+class Finding:
+    """What one test found on one pair of cells."""
+    claim: Claim
+    test: Test
+    cell_a: Any
+    cell_b: Any
+    mean_a: float | None
+    mean_b: float | None
+    comparison: statistics.Comparison
+    p: float = 1.0  # with Holm's correction
+
+    def verdict(self):
+        if self.p >= SIGNIFICANT:
+            return "undecided"
+        return "supported" if self.comparison.rank_sum < 0 else "not supported"
+
+    def seeds(self):
+        return f"{self.comparison.better} / {self.comparison.worse} / {self.comparison.equal}"
+
+    def line(self):
+        mean_a, mean_b = (f"{m:.3g}" if m is not None else "no value"
+                          for m in (self.mean_a, self.mean_b))
+        return (f"{heading(self.test.metric)}, {self.cell_a.label()} against "
+                f"{self.cell_b.label()}, expected {self.test.expectation.text}: mean {mean_a} "
+                f"against {mean_b}, seeds better / worse / equal {self.seeds()}, "
+                f"p {p_value(self.p).text}: {self.verdict()}")
+
+
+@dataclasses.dataclass(frozen=True)
+class Findings:
+    """claims: (claim, verdict, lines with the numbers)."""
+    title: str
+    source: str
+    claims: list
+    tables: list
+
+
+def judge_beside(folder, all_measured):
+    """Of the folder's claims.yaml; None if there is none, or none on these studies."""
+    file = folder / "claims.yaml"
+    if not file.exists():
+        return None
+    claims = read_claims(file, {m.study.name: m.study for m in all_measured})
+    return judge(claims, {m.study.name: m for m in all_measured}) if claims.claims else None
+
+
+def judge(claims, measured):
+    """measured: by the study's name. Costs, which differ from rerun to rerun, are a family and a
+    table of their own, so that they do not touch the other numbers."""
+    findings = [finding for claim in claims.claims for test in claim.tests
+                for finding in _findings(claim, test, measured[test.study])]
+    tables = []
+    for name, is_cost in (("claims", False), ("claims_cost", True)):
+        family = [f for f in findings if (f.test.metric in TIMES) == is_cost]
+        for finding, p in zip(family, statistics.holm([f.comparison.p for f in family])):
+            finding.p = p
+        if family:
+            tables.append(Table(name, CAPTION.format(n=len(family)), HEADER,
+                                [_row(f, claims.claims) for f in family]))
+    judged = []
+    for claim in claims.claims:
+        own = [f for f in findings if f.claim is claim]
+        verdict = min((f.verdict() for f in own), key=VERDICTS.index)
+        judged.append((claim, verdict, [f.line() for f in own]))
+    return Findings(claims.title, claims.source, judged, tables)
+
+
+def _findings(claim, test, measured):
+    lower = METRICS[test.metric].better == "lower"
+    for cell_a, cell_b in selection.pairs(measured.study, test.a, test.b):
+        a, b = (measured.values(cell, test.metric) for cell in (cell_a, cell_b))
+        worsened = {seed: test.expectation.worsened(value, lower) for seed, value in b.items()}
+        mean_a, mean_b = (statistics.summarize(list(side.values())).mean for side in (a, b))
+        yield Finding(claim, test, cell_a, cell_b, mean_a, mean_b,
+                      statistics.compare(a, worsened, lower))
+
+
+def _row(finding, claims):
+    number = next(k for k, claim in enumerate(claims, 1) if claim is finding.claim)
+    return [number, finding.test.study, finding.cell_a.log,
+            selection.label_within_log(finding.cell_a), selection.label_within_log(finding.cell_b),
+            heading(finding.test.metric), finding.mean_a, finding.mean_b,
+            finding.test.expectation.text, finding.seeds(), p_value(finding.comparison.p),
+            p_value(finding.p), Shown(finding.verdict(), VERDICTS.index(finding.verdict()))]
