@@ -61,7 +61,9 @@ class Claims:
 
 def read_claims(file, studies):
     """studies: those of the report, by name. Claims on other studies of the folder are left out."""
-    parts = _parts(read_yaml(file), ["title", "source", "claims"])
+    root = read_yaml(file)
+    root.what = "claims"
+    parts = _parts(root, ["title", "source", "claims"])
     read = []
     for entry in parts["claims"].sequence():
         below = _parts(entry, ["says", "tests"])

@@ -23,20 +23,23 @@ class Gallery:
 
 
 MAPS = "White is free, black occupied, grey unknown. All maps have the same scale and frame."
-ERRORS = "The errors of the same runs' maps against the true map. {legend}"
+ERRORS = (
+    "The errors of the same runs' maps. Black is true boundary that the map has, blue true boundary "
+    "that it misses; dark grey are occupied cells at the boundary, orange those off it. White was "
+    "in sight, light grey never.")
 
 
-def galleries(measured, scores, legend):
+def galleries(measured, scores):
     """Of the maps, each followed by the same layout of error maps where there are some.
 
-    scores is the folder of <run id>.error_map.png; legend says what their colours mean."""
+    scores is the folder of <run id>.error_map.png."""
     for title, log, columns, rows in _layouts(measured):
         runs = {id(cell): _median_result(measured, cell) for _, cells in rows for cell in cells}
         rule = median_run.rule(measured, log)
         yield Gallery(title, f"{MAPS} {rule}", columns, _map_rows(rows, runs, measured))
         errors = {key: scores / f"{r.run.id}.error_map.png" for key, r in runs.items() if r}
         if any(file.exists() for file in errors.values()):
-            yield Gallery(f"{title}: error maps", ERRORS.format(legend=legend), columns, [
+            yield Gallery(f"{title}: error maps", ERRORS, columns, [
                 (name, [_error_panel(cell, runs, errors) for cell in cells])
                 for name, cells in rows])
 
@@ -86,7 +89,7 @@ def _error_panel(cell, runs, files):
         return _no_picture(cell, result)
     return Panel(f"{selection.label_within_log(cell)}, seed {result.run.seed}",
                  f"Errors of the map of {cell.label()}, seed {result.run.seed}",
-                 pictures.shrink_png(file))
+                 pictures.error_png(file))
 
 
 def _no_picture(cell, result):

@@ -7,10 +7,6 @@ import jinja2
 from . import maps, plots, provenance, table
 
 HERE = pathlib.Path(__file__).resolve().parent
-# What evaluate_map draws.
-ERROR_MAP_LEGEND = (
-    "Black: occupied in both; blue: boundary that the map misses; red: occupied where the truth is "
-    "free; grey: not known.")
 
 
 def data_uri(content, kind):
@@ -45,7 +41,7 @@ def _study(measured, tables, scores):
                      for r in measured.failed],
         "plots": [(title, text, data_uri(svg.encode(), "image/svg+xml"))
                   for title, text, svg in plots.plots(measured)],
-        "galleries": [_gallery(g) for g in maps.galleries(measured, scores, ERROR_MAP_LEGEND)],
+        "galleries": [_gallery(g) for g in maps.galleries(measured, scores)],
     }
 
 

@@ -9,6 +9,11 @@ from PIL import Image
 WIDTH = 560  # pixels, at most
 # Unknown, free, occupied: where cells are merged the last one wins, so that no wall is lost.
 MAP_COLORS = [(205, 205, 205), (255, 255, 255), (0, 0, 0)]
+# As evaluate_map draws them: in sight, never in sight, cells of the map at the boundary, boundary
+# that the map has, boundary that it misses, cells of the map off the boundary.
+ERROR_COLORS = [(255, 255, 255), (217, 217, 217), (140, 140, 140), (0, 0, 0), (0, 115, 179),
+                (214, 94, 0)]
+ERROR_LEGEND_HEIGHT = 40  # pixels
 
 
 @dataclasses.dataclass(frozen=True)
@@ -69,15 +74,11 @@ def map_png(cells):
     return indexed_png(cells, MAP_COLORS)
 
 
-def shrink_png(file):
-    """Any picture of few colours; where pixels are merged the rarest colour wins."""
-    pixels = numpy.asarray(Image.open(file).convert("RGB"))
-    colors, index, counts = numpy.unique(
-        pixels.reshape(-1, 3), axis=0, return_inverse=True, return_counts=True)
-    order = numpy.argsort(-counts, kind="stable")
-    rank = numpy.empty_like(order)
-    rank[order] = numpy.arange(len(order))
-    return indexed_png(rank[index].reshape(pixels.shape[:2]), colors[order].tolist())
+def error_png(file):
+    """evaluate_map's picture of errors without the legend below it, which would be too small."""
+    pixels = numpy.asarray(Image.open(file).convert("RGB"))[:-ERROR_LEGEND_HEIGHT].astype(int)
+    distances = [numpy.abs(pixels - color).sum(axis=2) for color in ERROR_COLORS]
+    return indexed_png(numpy.argmin(distances, axis=0), ERROR_COLORS)
 
 
 def indexed_png(indices, colors):

@@ -1,8 +1,10 @@
-"""A folder of results with known numbers, as the workflow leaves it, for the tests of the report."""
+"""A folder of results with known numbers, as the workflow leaves it, for the report's tests."""
 import json
 import pathlib
 import subprocess
 import sys
+import tempfile
+import unittest
 
 import numpy
 from PIL import Image
@@ -11,7 +13,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 WORKFLOW = ROOT / "experiments" / "workflow"
 sys.path.insert(0, str(WORKFLOW))
 
-from study import load_study  # noqa: E402  (needs the path above)
+from make_report import measure
+from study import load_study
 
 STUDY = """
 title: Few particles
@@ -117,8 +120,8 @@ class Results:
         (folder / "map.yaml").write_text(
             "image: map.pgm\nresolution: 0.05\norigin: [-1.0, -0.5, 0]\nnegate: 0\n"
             "occupied_thresh: 0.65\nfree_thresh: 0.196\n")
-        errors = numpy.full((60, 80, 3), 255, dtype=numpy.uint8)
-        errors[10:12] = (255, 0, 0)
+        errors = numpy.full((60 + 40, 80, 3), 255, dtype=numpy.uint8)  # 40 rows of legend
+        errors[10:12] = (0, 115, 179)
         Image.fromarray(errors).save(self.work / "scores" / f"{run.id}.error_map.png")
 
 
@@ -130,3 +133,15 @@ def blur_of(run):
 
 def write_json(file, value):
     file.write_text(json.dumps(value))
+
+
+class ResultsTestCase(unittest.TestCase):
+    """Gives every test results of its own to spoil."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.results = Results(folder.name)
+
+    def measured(self):
+        return measure(self.results.study, self.results.work)

@@ -1,0 +1,58 @@
+#!/usr/bin/python3
+import unittest
+
+import report_fixture
+from study import StudyError
+
+FIGURE = "{title: Two by two, rows: variant, columns: particles}"
+
+
+class FigureTest(report_fixture.ResultsTestCase):
+    def figure(self, text, logs="building: {world: paper_building.yaml}"):
+        self.results.study_file.write_text(report_fixture.STUDY.replace(FIGURE, text).replace(
+            "building: {world: paper_building.yaml}", logs))
+        study = self.results.load()
+        return study, study.figures[0]
+
+    def complaint(self, text, **logs):
+        with self.assertRaises(StudyError) as caught:
+            self.figure(text, **logs)
+        return str(caught.exception).replace(f"{self.results.folder}/", "")
+
+    def test_rows_and_columns_are_in_the_order_of_the_study(self):
+        study, figure = self.figure(FIGURE)
+        rows, columns, cells = figure.grid(study)
+        self.assertEqual((rows, columns), (["GMapping", "improved"], [30, 5]))
+        for (row, column), cell in cells.items():
+            self.assertEqual((cell.variant, cell.axes["particles"]), (row, column))
+
+    TWO_LOGS = "{a: {world: paper_building.yaml}, b: {world: paper_building.yaml}}"
+
+    def two_logs(self, text):
+        self.results.study_file.write_text(report_fixture.STUDY.replace(FIGURE, text).replace(
+            "\n  building: {world: paper_building.yaml}", f" {self.TWO_LOGS}"))
+        return self.results.load()
+
+    def test_log_chooses_among_logs(self):
+        study = self.two_logs("{title: b, rows: variant, columns: particles, log: b}")
+        _, _, cells = study.figures[0].grid(study)
+        self.assertEqual({cell.log for cell in cells.values()}, {"b"})
+
+    def test_two_cells_at_one_place_are_an_error(self):
+        with self.assertRaisesRegex(StudyError, "yaml:16: .*more than one cell at a place"):
+            self.two_logs(FIGURE)
+
+    def test_mistakes_are_named_with_file_and_line(self):
+        for text, complaint in (
+                ("{rows: variant, columns: particles}", "few_particles.yaml:17: figures: 'title' is"
+                 " missing"),
+                ("{title: t, rows: variant, columns: particle}", "few_particles.yaml:17: columns: "
+                 "'particle' is no axis of the study; did you mean 'particles'?"),
+                ("{title: t, rows: variant, columns: particles, log: bilding}",
+                 "few_particles.yaml:17: figures: selects no cell of the study")):
+            with self.subTest(text):
+                self.assertEqual(self.complaint(text), complaint)
+
+
+if __name__ == "__main__":
+    unittest.main()

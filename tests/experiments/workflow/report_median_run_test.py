@@ -1,0 +1,44 @@
+#!/usr/bin/python3
+import unittest
+
+import report_fixture
+from report import median_run
+
+
+class MedianRunTest(report_fixture.ResultsTestCase):
+    def setUp(self):
+        super().setUp()
+        self.cell = self.results.run("improved", 5, 1).cell
+
+    def set_blurs(self, *blurs):
+        for seed, blur in enumerate(blurs, 1):
+            self.results.write(self.results.run("improved", 5, seed), blur=blur)
+
+    def median(self):
+        return median_run.median_seed(self.measured(), self.cell)
+
+    def test_the_better_of_the_two_in_the_middle(self):
+        self.set_blurs(0.6, 0.1, 0.5, 0.2, 0.4, 0.3)
+        self.assertEqual(self.median(), 6)
+
+    def test_failed_runs_come_last(self):
+        self.set_blurs(0.6, 0.1, 0.5, 0.2, 0.4, 0.3)
+        self.results.fail(self.results.run("improved", 5, 2))
+        self.results.fail(self.results.run("improved", 5, 4))
+        # 0.3 (seed 6), 0.4, 0.5 (seed 3), 0.6, failed, failed.
+        self.assertEqual(self.median(), 3)
+
+    def test_of_equal_runs_the_seed_decides(self):
+        self.set_blurs(*[0.2] * 6)
+        self.assertEqual(self.median(), 3)
+
+    def test_missing_runs_have_no_part(self):
+        for seed in (2, 3, 4, 5, 6):
+            self.results.remove(self.results.run("improved", 5, seed))
+        self.assertEqual(self.median(), 1)
+        self.results.remove(self.results.run("improved", 5, 1))
+        self.assertIsNone(self.median())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,127 @@
+#!/usr/bin/python3
+import unittest
+
+import report_fixture
+from report import claims, verdicts
+from study import StudyError
+
+CLAIMS = """
+title: Claims
+source: Made up.
+claims:
+  - says: Improved is clearer.
+    tests:
+      - study: few_particles
+        compare: [{variant: improved, particles: 5}, {variant: GMapping, particles: 30}]
+        metric: map_blur_m
+        expect: better
+"""
+SIDES = "[{variant: improved, particles: 5}, {variant: GMapping, particles: 30}]"
+
+
+class VerdictsTest(report_fixture.ResultsTestCase):
+    def judge(self, text=CLAIMS):
+        file = self.results.folder / "claims.yaml"
+        file.write_text(text)
+        return verdicts.judge_beside(self.results.folder, [self.measured()])
+
+    def verdict(self, text=CLAIMS):
+        (_, verdict, _), = self.judge(text).claims
+        return verdict
+
+    def complaint(self, old, new):
+        self.assertIn(old, CLAIMS)
+        with self.assertRaises(StudyError) as caught:
+            self.judge(CLAIMS.replace(old, new))
+        self.assertNotIn("\n", str(caught.exception))
+        return str(caught.exception).replace(f"{self.results.folder}/", "")
+
+    def test_supported_where_a_is_better_beyond_chance(self):
+        # Better on six of six seeds: p = 2 / 2^6 = 0.031.
+        self.assertEqual(self.verdict(), "supported")
+
+    def test_not_supported_where_a_is_worse_beyond_chance(self):
+        turned = "[{variant: GMapping, particles: 30}, {variant: improved, particles: 5}]"
+        self.assertEqual(self.verdict(CLAIMS.replace(SIDES, turned)), "not supported")
+
+    def test_undecided_where_it_can_be_chance(self):
+        self.results.write(self.results.run("improved", 5, 3), blur=5.0)
+        self.assertEqual(self.verdict(), "undecided")
+
+    def test_failed_runs_speak_against_a_claim(self):
+        for seed in (1, 2):
+            self.results.fail(self.results.run("improved", 5, seed))
+        self.assertEqual(self.verdict(), "undecided")
+        for seed in (3, 4, 5, 6):
+            self.results.fail(self.results.run("improved", 5, seed))
+        self.assertEqual(self.verdict(), "not supported")
+
+    def test_allowance_is_a_share_of_b_or_in_the_metrics_unit(self):
+        # A is 0.17 to 0.22, B 0.11 to 0.16, seed by seed: 0.06 more, that is 37 to 55 %.
+        for seed in self.results.study.seeds:
+            self.results.write(self.results.run("improved", 5, seed), blur=0.16 + 0.01 * seed)
+        for expected, verdict in (("not worse by 60 %", "supported"),
+                                  ("not worse by 30 %", "not supported"),
+                                  ("not worse by 0.07", "supported"),
+                                  ("not worse by 0.05", "not supported")):
+            with self.subTest(expected):
+                self.assertEqual(self.verdict(CLAIMS.replace("better", expected)), verdict)
+
+    def test_allowance_goes_down_where_higher_is_better(self):
+        for seed in self.results.study.seeds:
+            self.results.write(self.results.run("improved", 5, seed), blur=0.16 + 0.01 * seed)
+        text = CLAIMS.replace("map_blur_m", "map_recall")
+        self.assertEqual(self.verdict(text), "not supported")
+        self.assertEqual(self.verdict(text.replace("better", "not worse by 0.07")), "supported")
+
+    def test_a_claim_is_worth_its_least_test(self):
+        two = CLAIMS + """\
+      - study: few_particles
+        compare: [{variant: GMapping, particles: 5}, {variant: GMapping, particles: 30}]
+        metric: map_blur_m
+        expect: better
+"""
+        # Holm's correction makes 0.031 to 0.062 for both.
+        self.assertEqual(self.verdict(two), "undecided")
+        (_, _, lines), = self.judge(two).claims
+        self.assertEqual(len(lines), 2)
+        self.assertIn("p 0.0625", lines[0])
+
+    def test_costs_are_a_family_of_their_own(self):
+        text = CLAIMS + """\
+      - study: few_particles
+        compare: [{variant: improved, particles: 5}, {variant: GMapping, particles: 30}]
+        metric: cpu_s
+        expect: better
+"""
+        self.assertEqual(self.verdict(text), "supported")
+        self.assertEqual([table.name for table in self.judge(text).tables],
+                         ["claims", "claims_cost"])
+
+    def test_claims_on_studies_that_are_not_reported_are_left_out(self):
+        (self.results.folder / "other.yaml").write_text("")
+        self.assertIsNone(self.judge(CLAIMS.replace("study: few_particles", "study: other")))
+
+    def test_no_claims_without_a_file(self):
+        self.assertIsNone(verdicts.judge_beside(self.results.folder, [self.measured()]))
+
+    def test_mistakes_are_named_with_file_and_line(self):
+        for old, new, complaint in (
+                ("study: few_particles", "study: few_partcles",
+                 "claims.yaml:7: study: no study 'few_partcles' in this folder; did you mean "
+                 "'few_particles'?"),
+                ("map_blur_m", "map_blurr_m",
+                 "claims.yaml:9: metric: unknown metric 'map_blurr_m'; did you mean 'map_blur_m'?"),
+                ("map_blur_m", "updates",
+                 "claims.yaml:9: metric: of 'updates' neither more nor less is better"),
+                ("expect: better", "expect: nice",
+                 "claims.yaml:10: expect: expected 'better', 'not worse by 10 %' or 'not worse by "
+                 "0.1' (in the metric's unit), found 'nice'"),
+                ("source: Made up.\n", "", "claims.yaml:2: claims: 'source' is missing")):
+            with self.subTest(new):
+                self.assertEqual(self.complaint(old, new), complaint)
+        self.assertIn("claims.yaml:8: compare: ", self.complaint("particles: 5}", "particles: 7}"))
+
+
+if __name__ == "__main__":
+    unittest.main()
