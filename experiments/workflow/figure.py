@@ -1,4 +1,10 @@
-"""Figures of maps in rows and columns, as a study asks for them."""
+"""Figures of maps in rows and columns, as a study asks for them:
+
+    figures:
+      - {title: Maps, rows: variant, columns: particles, log: building, where: {backend: spa}}
+
+`log` and `where` are needed only where there is more than one cell at a place.
+"""
 from __future__ import annotations
 
 import dataclasses

@@ -46,7 +46,7 @@ def write_report(args):
     all_measured = [measure(load_study(path, args.bin, args.data, args.quick), args.work_dir)
                     for path in args.studies]
     all_tables = [tables.tables(measured) for measured in all_measured]
-    findings = verdicts.judge_beside(args.studies[0].parent, all_measured)
+    findings = verdicts.judge_beside(all_measured)
     html = page.render(all_measured, all_tables, findings, args.work_dir / "scores", args.bin,
                        args.quick)
     output = args.output or args.work_dir / "report"

@@ -59,8 +59,14 @@ class Claims:
     claims: list[Claim]
 
 
-def read_claims(file, studies):
-    """studies: those of the report, by name. Claims on other studies of the folder are left out."""
+def read_beside(studies):
+    """Of the claims.yaml in the folder of the report's first study; None if there is none. Claims
+    on other studies of the folder are left out."""
+    file = studies[0].path.parent / "claims.yaml"
+    return _read_claims(file, {study.name: study for study in studies}) if file.exists() else None
+
+
+def _read_claims(file, studies):
     root = read_yaml(file)
     root.what = "claims"
     parts = _parts(root, ["title", "source", "claims"])
@@ -68,6 +74,8 @@ def read_claims(file, studies):
     for entry in parts["claims"].sequence():
         below = _parts(entry, ["says", "tests"])
         tests = [_read_test(test, studies) for test in below["tests"].sequence()]
+        if not tests:
+            below["tests"].fail("expected one test or more, found none")
         if all(tests):
             read.append(Claim(below["says"].text(), tests))
     return Claims(parts["title"].text(), parts["source"].text(), read)

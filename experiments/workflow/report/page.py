@@ -3,6 +3,7 @@ import base64
 import pathlib
 
 import jinja2
+from flags import as_text
 
 from . import maps, plots, provenance, table
 
@@ -51,7 +52,7 @@ def _design(study):
     for cell in study.cells:
         for name, value in cell.coordinates().items():
             axes.setdefault(name, {})[value] = None
-    return [(name, ", ".join(map(str, values))) for name, values in axes.items() if
+    return [(name, ", ".join(map(as_text, values))) for name, values in axes.items() if
             list(values) != [""]] + [
         ("seeds", ", ".join(map(str, study.seeds))),
         ("runs", f"{len(study.cells)} cells x {len(study.seeds)} seeds = {len(study.runs)}")]

@@ -1,4 +1,5 @@
 """Cells by their coordinates (log, variant, axes), and the pairs that a comparison asks for."""
+from flags import as_text
 from study import StudyError
 
 
@@ -8,12 +9,20 @@ def key(cell):
 
 def label(coordinates):
     """`improved, particles 5` of {variant: improved, particles: 5}."""
-    return ", ".join(str(value) if name in ("log", "variant") else f"{name} {value}"
+    return ", ".join(as_text(value) if name in ("log", "variant") else f"{name} {as_text(value)}"
                      for name, value in coordinates.items() if value != "")
 
 
 def label_within_log(cell):
     return label({k: v for k, v in cell.coordinates().items() if k != "log"}) or "all"
+
+
+def labels_of_pair(a, b):
+    """What both share, and what sets each apart."""
+    own_a, own_b = a.coordinates(), b.coordinates()
+    shared = {name for name in own_a if own_a[name] == own_b[name]}
+    return (label({k: v for k, v in own_a.items() if k in shared}),
+            *(label({k: v for k, v in own.items() if k not in shared}) for own in (own_a, own_b)))
 
 
 def pairs(study, a, b):

@@ -67,7 +67,7 @@ def _comparisons(measured, names, name):
              for a, b in selection.pairs(measured.study, *selectors) for metric in names
              if METRICS[metric].better != "none" and measured.exists(a.log, metric)]
     corrected = statistics.holm([comparison.p for *_, comparison in found])
-    rows = [[a.log, selection.label_within_log(a), selection.label_within_log(b), heading(metric),
+    rows = [[*selection.labels_of_pair(a, b), heading(metric),
              with_interval(c.mean_difference, c.low, c.high), f"{c.n_both} of {c.n_pairs}",
              f"{c.better} / {c.worse} / {c.equal}", p_value(c.p), p_value(p)]
             for (a, b, metric, c), p in zip(found, corrected)]
@@ -77,7 +77,7 @@ def _comparisons(measured, names, name):
         "which both have a value (95 % interval); over all pairs, with failed runs as the worst: "
         "seeds on which A is better, worse, equal, and p of Wilcoxon's signed-rank test, as it is "
         f"and with Holm's correction for the {len(rows)} tests of this table",
-        ["log", "A", "B", "metric", "A - B", "pairs", "better / worse / equal", "p", "p (Holm)"],
+        ["where", "A", "B", "metric", "A - B", "pairs", "better / worse / equal", "p", "p (Holm)"],
         rows)
 
 

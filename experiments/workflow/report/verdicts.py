@@ -5,7 +5,7 @@ from typing import Any
 from metrics import METRICS, TIMES
 
 from . import selection, statistics
-from .claims import Claim, Test, read_claims
+from .claims import Claim, Test, read_beside
 from .table import Shown, Table, p_value
 from .tables import heading
 
@@ -18,7 +18,7 @@ CAPTION = (
     "for the {n} tests of this table. Supported: A is better with p < 0.05; not supported: A is "
     "worse with p < 0.05; undecided: neither. A claim is supported if all its tests are, and not "
     "supported if one is not")
-HEADER = ["claim", "study", "log", "A", "B", "metric", "mean A", "mean B", "expected of A",
+HEADER = ["claim", "study", "where", "A", "B", "metric", "mean A", "mean B", "expected of A",
           "better / worse / equal", "p", "p (Holm)", "verdict"]
 
 
@@ -43,12 +43,12 @@ class Finding:
         return f"{self.comparison.better} / {self.comparison.worse} / {self.comparison.equal}"
 
     def line(self):
-        mean_a, mean_b = (f"{m:.3g}" if m is not None else "no value"
-                          for m in (self.mean_a, self.mean_b))
-        return (f"{heading(self.test.metric)}, {self.cell_a.label()} against "
-                f"{self.cell_b.label()}, expected {self.test.expectation.text}: mean {mean_a} "
-                f"against {mean_b}, seeds better / worse / equal {self.seeds()}, "
-                f"p {p_value(self.p).text}: {self.verdict()}")
+        where, a, b = selection.labels_of_pair(self.cell_a, self.cell_b)
+        mean_a, mean_b = ("no value" if mean is None else f"{mean:.3g}"
+                          for mean in (self.mean_a, self.mean_b))
+        return (f"{heading(self.test.metric)} ({where}): {a} {mean_a}; {b} {mean_b}. "
+                f"{self.test.expectation.text.capitalize()} on {self.comparison.better} of "
+                f"{self.comparison.n_pairs} seeds, p {p_value(self.p).text}: {self.verdict()}")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -60,13 +60,12 @@ class Findings:
     tables: list
 
 
-def judge_beside(folder, all_measured):
-    """Of the folder's claims.yaml; None if there is none, or none on these studies."""
-    file = folder / "claims.yaml"
-    if not file.exists():
+def judge_beside(all_measured):
+    """The claims beside the studies; None if there is none on these studies."""
+    claims = read_beside([m.study for m in all_measured])
+    if claims is None or not claims.claims:
         return None
-    claims = read_claims(file, {m.study.name: m.study for m in all_measured})
-    return judge(claims, {m.study.name: m for m in all_measured}) if claims.claims else None
+    return judge(claims, {m.study.name: m for m in all_measured})
 
 
 def judge(claims, measured):
@@ -102,8 +101,8 @@ def _findings(claim, test, measured):
 
 def _row(finding, claims):
     number = next(k for k, claim in enumerate(claims, 1) if claim is finding.claim)
-    return [number, finding.test.study, finding.cell_a.log,
-            selection.label_within_log(finding.cell_a), selection.label_within_log(finding.cell_b),
+    return [number, finding.test.study,
+            *selection.labels_of_pair(finding.cell_a, finding.cell_b),
             heading(finding.test.metric), finding.mean_a, finding.mean_b,
             finding.test.expectation.text, finding.seeds(), p_value(finding.comparison.p),
             p_value(finding.p), Shown(finding.verdict(), VERDICTS.index(finding.verdict()))]

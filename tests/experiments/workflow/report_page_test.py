@@ -94,10 +94,13 @@ class PageTest(report_fixture.ResultsTestCase):
                 if event["method"] == "Network.requestWillBeSent"
                 and event["params"]["documentURL"] == self.page]
 
-    def test_console_of_a_broken_page_would_not_be_silent(self):
+    def test_complaints_and_requests_of_a_broken_page_would_be_seen(self):
+        self.browser.run("document.body.append(Object.assign(new Image(), "
+                         "{src: 'http://127.0.0.1:9/picture.png'}))")
         self.browser.run("setTimeout(() => { throw new Error('broken'); }, 0)")
         self.browser.run("return 0")
         self.assertIn("broken", json.dumps(self.browser.log("browser")))
+        self.assertIn("http://127.0.0.1:9/picture.png", self.requested())
 
     def test_pictures_are_drawn(self):
         widths = self.browser.run(

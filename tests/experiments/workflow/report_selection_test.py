@@ -30,6 +30,11 @@ class PairsTest(report_fixture.ResultsTestCase):
         with self.assertRaisesRegex(StudyError, "no two cells"):
             self.pairs({"particles": 7}, {"particles": 5})
 
+    def test_label_of_a_pair_says_once_what_both_share(self):
+        a, b = (self.results.run(variant, 5, 1).cell for variant in ("improved", "GMapping"))
+        self.assertEqual(selection.labels_of_pair(a, b),
+                         ("building, particles 5", "improved", "GMapping"))
+
 
 if __name__ == "__main__":
     unittest.main()

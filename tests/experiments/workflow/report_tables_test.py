@@ -74,11 +74,12 @@ class TablesTest(report_fixture.ResultsTestCase):
 
     def test_comparisons_are_of_like_with_like_and_by_direction(self):
         rows = records(self.tables()["comparisons"])
-        self.assertEqual([(r["A"], r["B"], r["metric"]) for r in rows[:4]], [
-            ("improved, particles 5", "GMapping, particles 30", "boundary blur (m)"),
-            ("improved, particles 5", "GMapping, particles 30", "recall of occupied cells"),
-            ("improved, particles 30", "GMapping, particles 30", "boundary blur (m)"),
-            ("improved, particles 30", "GMapping, particles 30", "recall of occupied cells")])
+        self.assertEqual([(r["where"], r["A"], r["B"], r["metric"]) for r in rows[:4]], [
+            ("building", "improved, particles 5", "GMapping, particles 30", "boundary blur (m)"),
+            ("building", "improved, particles 5", "GMapping, particles 30",
+             "recall of occupied cells"),
+            ("building, particles 30", "improved", "GMapping", "boundary blur (m)"),
+            ("building, particles 30", "improved", "GMapping", "recall of occupied cells")])
         # closures_accepted has no better direction, so there are 3 pairs x 2 metrics.
         self.assertEqual(len(rows), 6)
         for row in rows:

@@ -2,7 +2,7 @@
 import unittest
 
 import report_fixture
-from report import claims, verdicts
+from report import verdicts
 from study import StudyError
 
 CLAIMS = """
@@ -23,7 +23,7 @@ class VerdictsTest(report_fixture.ResultsTestCase):
     def judge(self, text=CLAIMS):
         file = self.results.folder / "claims.yaml"
         file.write_text(text)
-        return verdicts.judge_beside(self.results.folder, [self.measured()])
+        return verdicts.judge_beside([self.measured()])
 
     def verdict(self, text=CLAIMS):
         (_, verdict, _), = self.judge(text).claims
@@ -103,7 +103,7 @@ class VerdictsTest(report_fixture.ResultsTestCase):
         self.assertIsNone(self.judge(CLAIMS.replace("study: few_particles", "study: other")))
 
     def test_no_claims_without_a_file(self):
-        self.assertIsNone(verdicts.judge_beside(self.results.folder, [self.measured()]))
+        self.assertIsNone(verdicts.judge_beside([self.measured()]))
 
     def test_mistakes_are_named_with_file_and_line(self):
         for old, new, complaint in (
@@ -120,6 +120,8 @@ class VerdictsTest(report_fixture.ResultsTestCase):
                 ("source: Made up.\n", "", "claims.yaml:2: claims: 'source' is missing")):
             with self.subTest(new):
                 self.assertEqual(self.complaint(old, new), complaint)
+        self.assertEqual(self.complaint(CLAIMS[CLAIMS.index("    tests:"):], "    tests: []\n"),
+                         "claims.yaml:6: tests: expected one test or more, found none")
         self.assertIn("claims.yaml:8: compare: ", self.complaint("particles: 5}", "particles: 7}"))
 
 
