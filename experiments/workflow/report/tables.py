@@ -89,16 +89,17 @@ def runs(measured):
         result = measured.result(run.cell, run.seed)
         start = [*_identity(run.cell), run.seed, run.id]
         if result is None:
-            rows.append([*start, "missing", *[None] * (len(names) + 4)])
+            rows.append([*start, "missing", *[None] * (len(names) + 5)])
             continue
         outcome = result.outcome
         rows.append([*start, outcome["exit_status"], outcome["error"],
                      *(measured.values(run.cell, name)[run.seed] for name in names),
-                     outcome["version"], outcome["log_sha256"], outcome["command"]])
+                     outcome["version"], outcome["log_sha256"], outcome["log_command"],
+                     outcome["command"]])
     return Table(
         f"{measured.study.name}_runs", f"{measured.study.title}: every run",
         [*_identity_header(measured), "seed", "run", "exit status", "error", *names, "version",
-         "SHA-256 of the log", "command"], rows)
+         "SHA-256 of the log", "command that made the log", "command"], rows)
 
 
 def cost(measured):

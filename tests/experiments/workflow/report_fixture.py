@@ -67,6 +67,7 @@ class Results:
         write_json(folder / "outcome.json", {
             "command": f"build/bin/gmapping_spa {' '.join(run.argv)} --output_dir=$W/runs/{run.id}",
             "exit_status": 0, "error": "", "log_sha256": f"{run.seed:064x}",
+            "log_command": f"build/bin/simulate --seed={run.seed}",
             "version": "0.1.0, build 00", "processor": "Made-up processor", **outcome})
         write_json(folder / "run.json", {"flags": {}})
         self.write_scores(run, {"map_blur_m": blur, "map_recall": 1 - blur, "closures_accepted": 3,

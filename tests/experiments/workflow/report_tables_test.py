@@ -69,6 +69,8 @@ class TablesTest(report_fixture.ResultsTestCase):
         for row, run in zip(rows, self.results.study.runs):
             self.assertEqual(row["command"], f"build/bin/gmapping_spa {' '.join(run.argv)} "
                                              f"--output_dir=$W/runs/{run.id}")
+            self.assertEqual(row["command that made the log"],
+                             f"build/bin/simulate --seed={run.seed}")
             self.assertEqual(row["SHA-256 of the log"], f"{run.seed:064x}")
             self.assertEqual(row["version"], "0.1.0, build 00")
 
