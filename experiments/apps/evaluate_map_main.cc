@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "backend/trajectory_io.h"
 #include "experiments/apps/app.h"

@@ -2,9 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 
 #include "experiments/metrics/grid_ray.h"
 #include "experiments/metrics/map_cells.h"

@@ -17,8 +17,7 @@ using map::TrinaryMap;
 
 constexpr std::uint32_t kWhite = 0xffffff, kBlack = 0x000000;
 
-// 40 x 20 cells: free, with a wall along the bottom row; a column in the upper left corner that
-// hides nothing; unknown on the right.
+// 40 x 20 cells: free, with a wall along the bottom row; unknown on the right.
 TrinaryMap World() {
   TrinaryMap map{40, 20, 0.05, -1.0, 2.0, {}};
   map.cells.assign(40 * 20, CellState::kUnknown);
@@ -42,7 +41,7 @@ class ErrorPicture : public ::testing::Test {
   }
   ~ErrorPicture() override { cairo_surface_destroy(surface_); }
 
-  // In the middle of a cell, or that many cells above it.
+  // In the middle of a cell; half a row more is on its upper edge.
   std::uint32_t ColorAt(double column, double row) const {
     const int x = static_cast<int>((column + 0.5) * 20), y = static_cast<int>((19.5 - row) * 20);
     const unsigned char* line = cairo_image_surface_get_data(surface_) +

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "experiments/metrics/cell_distance.h"
 #include "tests/experiments/metrics/hand_made_map.h"
 
