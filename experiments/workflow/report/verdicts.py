@@ -46,7 +46,7 @@ class Finding:
         where, a, b = selection.labels_of_pair(self.cell_a, self.cell_b)
         mean_a, mean_b = ("no value" if mean is None else f"{mean:.3g}"
                           for mean in (self.mean_a, self.mean_b))
-        return (f"{heading(self.test.metric)} ({where}): {a} {mean_a}; {b} {mean_b}. "
+        return (f"{heading(self.test.metric)}, {where}. {a}: {mean_a}; {b}: {mean_b}. "
                 f"{self.test.expectation.text.capitalize()} on {self.comparison.better} of "
                 f"{self.comparison.n_pairs} seeds, p {p_value(self.p).text}: {self.verdict()}")
 
