@@ -30,7 +30,8 @@ cmake --preset release >/dev/null
 cmake --build --preset release --target gmapping_spa simulate evaluate_trajectory \
   evaluate_relations evaluate_map
 
-studies=(experiment_1 experiment_2 walking_pedestrian particles odometry_noise equation_14 back_ends)
+studies=(experiment_1 experiment_2
+  walking_pedestrian particles odometry_noise equation_14 back_ends)
 files=("${studies[@]/#/experiments/paper/}")
 files=("${files[@]/%/.yaml}")
 /usr/bin/python3 experiments/workflow/run_study.py "${quick[@]}" -j "$jobs" --work_dir "$work" \

@@ -24,8 +24,8 @@ class Gallery:
 
 MAPS = "White is free, black occupied, grey unknown. All maps have the same scale and frame."
 ERRORS = (
-    "The errors of the same runs' maps. Black is true boundary that the map has, blue true boundary "
-    "that it misses; dark grey are occupied cells at the boundary, orange those off it. White was "
+    "The errors of the same runs' maps. Black is true boundary that the map has, blue true "
+    "boundary that it misses; dark grey are occupied cells at the boundary, orange those off it. White was "
     "in sight, light grey never.")
 
 
@@ -45,7 +45,7 @@ def galleries(measured, scores):
 
 
 def _layouts(measured):
-    """(title, log, names of columns, [(name of row, cells)]); a cell is None where there is none."""
+    """(title, log, names of columns, [(name of row, cells)]); None where there is no cell."""
     study = measured.study
     for figure in study.figures:
         rows, columns, cells = figure.grid(study)

@@ -3,8 +3,8 @@ import math
 
 from metrics import METRICS
 
-RULE = ("Every picture shows its cell's median run by {metric}: the runs that ended are sorted from "
-        "best to worst (those without a value last, equals by seed), and the middle one is taken, "
+RULE = ("Every picture shows its cell's median run by {metric}: the runs that ended are sorted "
+        "from best to worst (those without a value last, equals by seed), and the middle one is taken, "
         "of two middle ones the better.")
 
 

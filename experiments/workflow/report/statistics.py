@@ -1,7 +1,7 @@
 """Means with intervals, and tests of pairs, over runs that may have failed.
 
-A value is a number, or None for a run that ended without one: it failed, or its map is such that the
-metric does not exist. A run without a value has no part in means (their counts say so); in the rank
+A value is a number, or None for a run that ended without one: it failed, or its map is such that
+the metric does not exist. A run without a value has no part in means (their counts say so); in the rank
 test it is worse than every run with a value.
 
 Intervals are Student's t intervals of the mean: no random numbers, honest (wide) for few runs.
@@ -82,7 +82,7 @@ def compare(a, b, lower_is_better):
 
 
 def loss(a, b, lower_is_better):
-    """How much worse a is than b: below 0 where it is better, infinite where only one has a value."""
+    """How much worse a is than b: below 0 where better, infinite where only one has a value."""
     if a is None or b is None:
         return 0.0 if a is b else (math.inf if a is None else -math.inf)
     return float(a - b) if lower_is_better else float(b - a)

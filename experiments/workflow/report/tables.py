@@ -73,8 +73,8 @@ def _comparisons(measured, names, name):
             for (a, b, metric, c), p in zip(found, corrected)]
     return Table(
         f"{measured.study.name}_{name}",
-        f"{measured.study.title}: A with B, paired by seed. Mean difference A - B over the pairs in "
-        "which both have a value (95 % interval); over all pairs, with failed runs as the worst: "
+        f"{measured.study.title}: A with B, paired by seed. Mean difference A - B over the pairs "
+        "in which both have a value (95 % interval); over all pairs, with failed runs as the worst: "
         "seeds on which A is better, worse, equal, and p of Wilcoxon's signed-rank test, as it is "
         f"and with Holm's correction for the {len(rows)} tests of this table",
         ["where", "A", "B", "metric", "A - B", "pairs", "better / worse / equal", "p", "p (Holm)"],

@@ -14,8 +14,8 @@ SIGNIFICANT = 0.05
 VERDICTS = ("not supported", "undecided", "supported")
 CAPTION = (
     "A with B, paired by seed. Where A may be worse by some allowance, B is worsened by that much "
-    "first. p is of Wilcoxon's signed-rank test (failed runs are the worst), with Holm's correction "
-    "for the {n} tests of this table. Supported: A is better with p < 0.05; not supported: A is "
+    "first. p is of Wilcoxon's signed-rank test (failed runs are the worst), with Holm's "
+    "correction for the {n} tests of this table. Supported: A is better with p < 0.05; not supported: A is "
     "worse with p < 0.05; undecided: neither. A claim is supported if all its tests are, and not "
     "supported if one is not")
 HEADER = ["claim", "study", "where", "A", "B", "metric", "mean A", "mean B", "expected of A",

@@ -93,7 +93,8 @@ class MakeReportTest(report_fixture.ResultsTestCase):
         done = self.results.report()
         self.assertNotEqual(done.returncode, 0)
         self.assertRegex(done.stderr, r"^make_report.py: error: .*few_particles.yaml:17: rows: "
-                                      r"'varient' is no axis of the study; did you mean 'variant'\?\n$")
+                                      r"'varient' is no axis of the study; "
+                                      r"did you mean 'variant'\?\n$")
         self.assertFalse((self.results.folder / "report").exists())
 
 

@@ -98,7 +98,8 @@ class TablesTest(report_fixture.ResultsTestCase):
         before = {name: table.csv() for name, table in self.tables().items()}
         run = self.results.run("improved", 5, 2)
         self.results.write_scores(run, {
-            "map_blur_m": report_fixture.blur_of(run), "map_recall": 1 - report_fixture.blur_of(run),
+            "map_blur_m": report_fixture.blur_of(run),
+            "map_recall": 1 - report_fixture.blur_of(run),
             "closures_accepted": 3, "cpu_s": 99.0})
         after = {name: table.csv() for name, table in self.tables().items()}
         self.assertEqual({name for name in before if before[name] != after[name]},
