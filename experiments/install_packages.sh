@@ -18,7 +18,7 @@ for option in "$@"; do
   case $option in
     experiments)
       packages+=(chromium chromium-driver python3-jinja2 python3-matplotlib python3-numpy
-        python3-scipy python3-yaml snakemake)
+        python3-pil python3-scipy python3-yaml snakemake)
       ;;
     slurm) packages+=(munge slurm-client slurmctld slurmd) ;;
     *)

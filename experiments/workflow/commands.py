@@ -2,6 +2,7 @@
 import hashlib
 import os
 import pathlib
+import platform
 import shlex
 import signal
 import subprocess
@@ -43,3 +44,11 @@ def version(binary: pathlib.Path) -> str:
     for plugin in sorted((binary.parent.parent / "lib").glob("**/libgmapping_spa_*.so")):
         digest.update(plugin.read_bytes())
     return f"{said.split()[-1] if said.split() else 'unknown'}, build {digest.hexdigest()[:16]}"
+
+
+def processor() -> str:
+    """What the runs' costs were measured on."""
+    for line in pathlib.Path("/proc/cpuinfo").read_text().splitlines():
+        if line.startswith("model name"):
+            return line.partition(":")[2].strip()
+    return platform.machine()

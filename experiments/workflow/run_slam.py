@@ -20,7 +20,8 @@ def slam(plan: dict[str, Any], run: dict[str, Any], partial: pathlib.Path,
     """Runs gmapping_spa and returns the outcome."""
     work, data = pathlib.Path.cwd(), pathlib.Path(plan["data"])
     binary = pathlib.Path(plan["bin"]) / "gmapping_spa"
-    outcome = {"version": commands.version(binary), "log_sha256": None, "log_command": None}
+    outcome = {"version": commands.version(binary), "processor": commands.processor(),
+               "log_sha256": None, "log_command": None}
     log = pathlib.Path(run["log_file"] or work / "logs" / run["log_id"] / "log.clf")
     words = [str(binary), f"--log={log}", *run["argv"]]
     outcome["command"] = commands.command_line([*words, f"--output_dir={final}"], work, data)

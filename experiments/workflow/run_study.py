@@ -16,6 +16,7 @@ import commands
 import plan as plans
 import results_folder
 import stored_versions
+from report import checks
 from study import StudyError, load_study
 
 ROOT = commands.ROOT
@@ -85,6 +86,7 @@ def prepare(args: argparse.Namespace) -> None:
         raise StudyError(f"{SNAKEMAKE}: no such file; experiments/install_packages.sh experiments "
                          "installs it")
     studies = [load_study(path, args.bin, args.data, args.quick) for path in args.studies]
+    checks.check(studies)
     plan = plans.make_plan(studies, args.bin, args.data, args.quick)
     versions = None if args.until == "runs" else evaluators(args)
     work = args.work_dir
