@@ -31,7 +31,7 @@ cmake --build --preset release --target gmapping_spa simulate evaluate_trajector
   evaluate_relations evaluate_map
 
 studies=(experiment_1 experiment_2
-  walking_pedestrian particles odometry_noise equation_14 back_ends)
+  walking_pedestrian particles odometry_noise equation_14 back_ends scans_in_the_map)
 files=("${studies[@]/#/experiments/paper/}")
 files=("${files[@]/%/.yaml}")
 /usr/bin/python3 experiments/workflow/run_study.py "${quick[@]}" -j "$jobs" --work_dir "$work" \

@@ -11,6 +11,8 @@ from yaml_entry import Entry
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WORLDS = ROOT / "experiments" / "simulation" / "worlds"
 
+EVERY = "*"
+
 RESERVED = {
     "world": "the log's 'world'",
     "path": "the log's 'path'",
@@ -79,8 +81,8 @@ def read_log(entry: Entry, parts: dict[str, Entry], data: pathlib.Path,
         for key in parts.keys() - {"carmen"}:
             parts[key].fail(f"'{key}' is for simulated logs")
         file = find_file_of_log(parts["carmen"], data)
-        relations = data / "relations" / f"{parts['carmen'].text()}.relations.gz"
-        return CarmenLog(file, relations if relations.is_file() else None)
+        relations = data / "relations" / f"{parts['carmen'].text()}.relations"
+        return CarmenLog(file, _gzipped_or_not(relations))
     folders = [entry.file.parent, WORLDS]
     world = find_file(parts["world"], *folders)
     if "path" in parts:
@@ -100,7 +102,25 @@ def read_log(entry: Entry, parts: dict[str, Entry], data: pathlib.Path,
 
 
 def find_file_of_log(entry: Entry, data: pathlib.Path) -> pathlib.Path:
-    file = data / "carmen" / f"{entry.text()}.clf.gz"
-    if not file.is_file():
-        entry.fail(f"no file '{file}'; --data=DIR says where the logs are")
+    file = _gzipped_or_not(data / "carmen" / f"{entry.text()}.clf")
+    if not file:
+        entry.fail(f"no file '{data / 'carmen' / entry.text()}.clf.gz'; --data=DIR says where the "
+                   "logs are")
     return file.resolve()
+
+
+def every_recorded_log(entry: Entry, data: pathlib.Path) -> dict[str, tuple[Entry, dict]]:
+    """`"*": {carmen: "*"}` is all logs of the data folder: entry and parts of each by name."""
+    parts = entry.mapping(["carmen"])
+    if "carmen" not in parts or parts["carmen"].text() != EVERY:
+        entry.fail(f"expected {{carmen: '{EVERY}'}}, which is every recorded log")
+    names = sorted({file.name.removesuffix(".gz").removesuffix(".clf")
+                    for pattern in ("*.clf", "*.clf.gz")
+                    for file in (data / "carmen").glob(pattern)})
+    if not names:
+        entry.fail(f"no logs in '{data / 'carmen'}'; --data=DIR says where the logs are")
+    return {name: (entry, {"carmen": parts["carmen"].with_text(name)}) for name in names}
+
+
+def _gzipped_or_not(file: pathlib.Path) -> pathlib.Path | None:
+    return next((f for f in (file.with_name(f"{file.name}.gz"), file) if f.is_file()), None)

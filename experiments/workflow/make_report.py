@@ -10,7 +10,7 @@ import pathlib
 import sys
 
 import results
-from report import page, tables, verdicts
+from report import page, published, tables, verdicts
 from report.measured import Measured
 from study import StudyError, load_study
 
@@ -46,6 +46,8 @@ def write_report(args):
     all_measured = [measure(load_study(path, args.bin, args.data, args.quick), args.work_dir)
                     for path in args.studies]
     all_tables = [tables.tables(measured) for measured in all_measured]
+    for measured, of_study in zip(all_measured, all_tables):
+        of_study |= published.tables_beside(measured)
     findings = verdicts.judge_beside(all_measured)
     html = page.render(all_measured, all_tables, findings, args.work_dir / "scores", args.bin,
                        args.quick)

@@ -106,8 +106,13 @@ class _Reader:
         """Each log's entry and its parts; none for `null`, which leaves a log out when quick."""
         if "logs" not in parts:
             return {}
-        return {name: (entry, {} if entry.is_null() else entry.mapping(LOG_KEYS))
-                for name, entry in parts["logs"].mapping().items()}
+        found = {}
+        for name, entry in parts["logs"].mapping().items():
+            if name == logs.EVERY:
+                found |= logs.every_recorded_log(entry, self.data)
+            else:
+                found[name] = (entry, {} if entry.is_null() else entry.mapping(LOG_KEYS))
+        return found
 
     def _study(self, parts: dict[str, Entry], log_parts: dict[str, tuple[Entry, dict[str, Entry]]],
                compared_must_exist: bool) -> Study:

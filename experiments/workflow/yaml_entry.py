@@ -50,6 +50,11 @@ class Entry:
         node = yaml.MappingNode(self.node.tag, pairs + other.node.value, other.node.start_mark)
         return Entry(node, self.file, self.what)
 
+    def with_text(self, text: str) -> Entry:
+        """Another text at the same place."""
+        node = yaml.ScalarNode("tag:yaml.org,2002:str", text, self.node.start_mark)
+        return Entry(node, self.file, self.what)
+
     def sequence(self) -> list[Entry]:
         if not isinstance(self.node, yaml.SequenceNode):
             self.fail(f"expected a list, found {self.found()}")

@@ -115,6 +115,20 @@ class StudyTest(workflow_test_case.WorkflowTestCase):
         self.assertEqual(run.log_file, self.folder.resolve() / "carmen" / "hall.clf.gz")
         self.assertEqual(run.relations, self.folder / "relations" / "hall.relations.gz")
 
+    def test_a_star_is_every_log_of_the_data_folder(self):
+        text = (STUDY.replace("room: {world: room.yaml, simulate: {scan_rate: 5}}",
+                              '"*": {carmen: "*"}')
+                .replace("      logs:\n        room: {simulate: {odometry_noise: 2}}\n", ""))
+        (self.folder / "carmen").mkdir()
+        with self.assertRaisesRegex(StudyError, r"study.yaml:3: .*no logs in .*carmen"):
+            self.load(text)
+        self.write("carmen/hall.clf.gz", "not read here")
+        self.write("carmen/attic.clf", "neither")
+        self.assertEqual(sorted({(r.cell.log, r.log_file.name) for r in self.load(text).runs}),
+                         [("attic", "attic.clf"), ("hall", "hall.clf.gz")])
+        with self.assertRaisesRegex(StudyError, "expected {carmen: '\\*'}"):
+            self.load(text.replace('carmen: "*"', "carmen: hall"))
+
     def test_studies_of_the_repository_are_good(self):
         (self.folder / "carmen").mkdir()
         for log in ("intel", "fr079", "aces"):
