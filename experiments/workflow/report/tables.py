@@ -13,7 +13,9 @@ def heading(name):
 
 def tables(measured):
     """All of a study, by what they hold."""
-    makers = (overview, cells, comparisons, runs, cost, cost_comparisons, run_costs)
+    makers = [overview, cells, comparisons, runs, cost, cost_comparisons, run_costs]
+    if len(measured.logs()) > 1:
+        makers.append(by_log)
     return {make.__name__: make(measured) for make in makers}
 
 
@@ -29,6 +31,35 @@ def overview(measured):
         f"{measured.study.title}: mean over the runs that ended well (95 % interval of the mean)",
         [*_identity_header(measured), "runs ended well",
          *(heading(m) for m in names)], rows)
+
+
+def by_log(measured):
+    """The main metric alone, a column a log, so that a glance shows who is good where."""
+    logs = measured.logs()
+    rows = {}
+    for cell in measured.study.cells:
+        within = tuple((k, v) for k, v in cell.coordinates().items() if k != "log")
+        rows.setdefault(within, {})[cell.log] = cell
+    main = {log: measured.main_metric(log) for log in logs}
+    heads = [f"{log}: {heading(main[log])}" if main[log] else log for log in logs]
+    return Table(
+        f"{measured.study.name}_by_log",
+        f"{measured.study.title}: median over the runs that ended well, and the worst of them",
+        [*(name for name, _ in next(iter(rows))), *heads],
+        [[*(value for _, value in within),
+          *(_median_and_worst(measured, by_log.get(log), main[log]) for log in logs)]
+         for within, by_log in rows.items()])
+
+
+def _median_and_worst(measured, cell, name):
+    if cell is None or name is None:
+        return None
+    values = [v for v in measured.values(cell, name).values() if v is not None]
+    if not values:
+        return None
+    worst = max(values) if METRICS[name].better == "lower" else min(values)
+    median = statistics.summarize(values).median
+    return Shown(f"{median:.4f}" + (f" ({worst:.4f})" if len(values) > 1 else ""), median)
 
 
 def cells(measured):

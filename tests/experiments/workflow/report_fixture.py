@@ -38,6 +38,7 @@ quick: {seeds: 1-2}
 
 HELP = """<?xml version="1.0"?><AllFlags>
 <flag><file>experiments/apps/x.cc</file><name>particles</name><type>int32</type></flag>
+<flag><file>experiments/apps/x.cc</file><name>scan_rate</name><type>double</type></flag>
 <flag><file>experiments/apps/x.cc</file><name>backend</name><type>string</type></flag>
 </AllFlags>"""
 

@@ -5,7 +5,7 @@ import unittest
 
 import report_fixture
 from report import statistics, tables
-from report.table import Shown, Table
+from report.table import Shown, Table, text
 
 
 def records(table):
@@ -44,6 +44,23 @@ class TablesTest(report_fixture.ResultsTestCase):
 
     def test_metrics_that_no_run_has_are_left_out(self):
         self.assertNotIn("ate_rmse_m", self.tables()["cells"].csv())
+
+    def test_logs_stand_side_by_side_with_median_and_worst(self):
+        self.results.study_file.write_text(report_fixture.STUDY.replace(
+            "logs:", "logs:\n  second: {world: paper_building.yaml, simulate: {scan_rate: 5}}")
+            .replace("columns: particles}", "columns: particles, log: building}"))
+        self.results.study = self.results.load()
+        for run in self.results.study.runs:
+            self.results.write(run)
+        self.results.fail(next(r for r in self.results.study.runs if r.cell.log == "second"))
+        table = self.tables()["by_log"]
+        self.assertEqual(table.header, ["variant", "particles", "second: boundary blur (m)",
+                                        "building: boundary blur (m)"])
+        plain = [text(cell) for cell in table.rows[0]]
+        self.assertEqual(plain, ["GMapping", "30", "0.1400 (0.1600)", "0.1350 (0.1600)"])
+
+    def test_one_log_has_no_table_of_logs_side_by_side(self):
+        self.assertNotIn("by_log", self.tables())
 
     def test_failed_runs_are_counted_and_shown(self):
         self.results.fail(self.results.run("improved", 5, 2))
