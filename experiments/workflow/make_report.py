@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes the report of studies: one HTML page and the tables as CSV and Markdown.
+"""Writes the report of studies: one HTML page, its tables as CSV and Markdown, its figures as PNG.
 
 The claims.yaml beside the studies, if there is one, is put to the test as well.
 """
@@ -10,7 +10,7 @@ import pathlib
 import sys
 
 import results
-from report import page, published, tables, verdicts
+from report import figures, page, published, tables, verdicts
 from report.measured import Measured
 from study import StudyError, load_study
 
@@ -55,6 +55,10 @@ def write_report(args):
     for table in [t for of_study in all_tables for t in of_study.values()] + (
             findings.tables if findings else []):
         table.write(output / "tables")
+    (output / "figures").mkdir(parents=True, exist_ok=True)
+    for measured in all_measured:
+        for name, png in figures.figures(measured, args.work_dir / "scores"):
+            (output / "figures" / name).write_bytes(png)
     write_whole(output / "index.html", html)
     print(f"report: {output / 'index.html'}")
 
