@@ -31,12 +31,14 @@ def draw(gallery):
         len(gallery.rows), len(gallery.columns), squeeze=False, layout="constrained",
         figsize=(PANEL_WIDTH * len(gallery.columns), (height + 0.25) * len(gallery.rows)))
     for (name, _), row, places in zip(gallery.rows, pictures, axes):
-        for picture, column, place in zip(row, gallery.columns, places):
-            place.set(xticks=[], yticks=[], title=column if places is axes[0] else "")
+        for picture, place in zip(row, places):
+            place.set(xticks=[], yticks=[])
             place.set_frame_on(False)
             if picture is not None:
                 place.imshow(picture, interpolation="none")
         places[0].set_ylabel(name)
+    for column, place in zip(gallery.columns, axes[0]):
+        place.set_title(column)
     out = io.BytesIO()
     figure.savefig(out, format="png", dpi=DPI, metadata={"Software": None})
     pyplot.close(figure)

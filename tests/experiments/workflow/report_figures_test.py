@@ -24,13 +24,13 @@ class FiguresTest(report_fixture.ResultsTestCase):
         self.assertEqual(self.figures(), self.figures())
 
     def test_a_cell_whose_runs_failed_leaves_its_place_empty(self):
-        def unknown_cells():
+        def wall():
             image = Image.open(io.BytesIO(self.figures()["few_particles_two_by_two.png"]))
-            return sum(pixel == (205, 205, 205) for pixel in image.convert("RGB").getdata())
-        before = unknown_cells()
+            return sum(pixel == (0, 0, 0) for pixel in image.convert("RGB").getdata())
+        before = wall()
         for seed in range(1, 7):
             self.results.fail(self.results.run("improved", 5, seed))
-        self.assertAlmostEqual(unknown_cells() / before, 0.75, delta=0.05)
+        self.assertAlmostEqual(wall() / before, 0.75, delta=0.05)
 
     def test_a_study_without_figures_has_no_files(self):
         text = self.results.study_file.read_text()
