@@ -53,7 +53,7 @@ def write_report(args):
                        args.quick)
     output = args.output or args.work_dir / "report"
     for table in [t for of_study in all_tables for t in of_study.values()] + (
-            findings.tables if findings else []):
+            [findings.verdicts, *findings.tests] if findings else []):
         table.write(output / "tables")
     (output / "figures").mkdir(parents=True, exist_ok=True)
     for measured in all_measured:

@@ -53,11 +53,13 @@ class Finding:
 
 @dataclasses.dataclass(frozen=True)
 class Findings:
-    """claims: (claim, verdict, lines with the numbers)."""
+    """claims: (claim, verdict, lines with the numbers); tables: `verdicts`, a row a claim, and those of
+    the tests behind them."""
     title: str
     source: str
     claims: list
-    tables: list
+    verdicts: Table
+    tests: list
 
 
 def judge_beside(all_measured):
@@ -73,20 +75,25 @@ def judge(claims, measured):
     table of their own, so that they do not touch the other numbers."""
     findings = [finding for claim in claims.claims for test in claim.tests
                 for finding in _findings(claim, test, measured[test.study])]
-    tables = []
+    tests = []
     for name, is_cost in (("claims", False), ("claims_cost", True)):
         family = [f for f in findings if (f.test.metric in TIMES) == is_cost]
         for finding, p in zip(family, statistics.holm([f.comparison.p for f in family])):
             finding.p = p
         if family:
-            tables.append(Table(name, CAPTION.format(n=len(family)), HEADER,
+            tests.append(Table(name, CAPTION.format(n=len(family)), HEADER,
                                 [_row(f, claims.claims) for f in family]))
-    judged = []
+    judged, rows = [], []
     for claim in claims.claims:
         own = [f for f in findings if f.claim is claim]
         verdict = min((f.verdict() for f in own), key=VERDICTS.index)
         judged.append((claim, verdict, [f.line() for f in own]))
-    return Findings(claims.title, claims.source, judged, tables)
+        supported = sum(f.verdict() == "supported" for f in own)
+        rows.append([len(judged), claim.says, Shown(verdict, VERDICTS.index(verdict)),
+                     f"{supported} of {len(own)}"])
+    verdicts = Table("verdicts", "What the paper says, in our words, and what our runs say of it",
+                     ["No.", "claim", "verdict", "tests that support it"], rows)
+    return Findings(claims.title, claims.source, judged, verdicts, tests)
 
 
 def _findings(claim, test, measured):

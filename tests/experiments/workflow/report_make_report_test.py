@@ -12,12 +12,14 @@ class MakeReportTest(report_fixture.ResultsTestCase):
         return {str(file.relative_to(root)): file.read_bytes()
                 for file in root.glob("**/*") if file.is_file()}
 
-    def test_writes_one_page_and_every_table_twice(self):
+    def test_writes_one_page_every_figure_and_every_table_twice(self):
         self.results.page()
-        self.assertEqual(sorted(self.outputs("report")), sorted(["index.html"] + [
-            f"tables/few_particles_{table}.{ending}" for ending in ("csv", "md")
-            for table in ("overview", "cells", "comparisons", "runs", "cost", "cost_comparisons",
-                          "run_costs")]))
+        figures = [f"figures/few_particles_two_by_two{kind}.png" for kind in ("", "_error_maps")]
+        tables = [f"tables/few_particles_{table}.{ending}" for ending in ("csv", "md")
+                  for table in ("overview", "cells", "comparisons", "runs", "cost",
+                                "cost_comparisons", "run_costs")]
+        self.assertEqual(sorted(self.outputs("report")),
+                         sorted(["index.html", *figures, *tables]))
 
     def test_same_results_same_bytes(self):
         for output in ("first", "second"):

@@ -85,6 +85,8 @@ class VerdictsTest(report_fixture.ResultsTestCase):
         self.assertEqual(self.verdict(two), "undecided")
         (_, _, lines), = self.judge(two).claims
         self.assertEqual(len(lines), 2)
+        self.assertEqual(self.judge(two).verdicts.csv().splitlines()[1],
+                         "1,Improved is clearer.,undecided,0 of 2")
         self.assertIn("p 0.0625", lines[0])
 
     def test_costs_are_a_family_of_their_own(self):
@@ -95,7 +97,7 @@ class VerdictsTest(report_fixture.ResultsTestCase):
         expect: better
 """
         self.assertEqual(self.verdict(text), "supported")
-        self.assertEqual([table.name for table in self.judge(text).tables],
+        self.assertEqual([table.name for table in self.judge(text).tests],
                          ["claims", "claims_cost"])
 
     def test_claims_on_studies_that_are_not_reported_are_left_out(self):
