@@ -34,26 +34,30 @@ def overview(measured):
 
 
 def by_log(measured):
-    """The main metric alone, a column a log, so that a glance shows who is good where."""
-    logs = measured.logs()
+    """The main metric alone, a column a log that has one, so that a glance shows who is good where."""
+    main = {log: _main_metric(measured, log) for log in measured.logs()}
+    logs = [log for log in main if main[log]]
     rows = {}
     for cell in measured.study.cells:
         within = tuple((k, v) for k, v in cell.coordinates().items() if k != "log")
         rows.setdefault(within, {})[cell.log] = cell
-    main = {log: measured.main_metric(log) for log in logs}
-    heads = [f"{log}: {heading(main[log])}" if main[log] else log for log in logs]
+    heads = [f"{log}: {heading(main[log])}" for log in logs]
     return Table(
         f"{measured.study.name}_by_log",
         f"{measured.study.title}: median over the runs that ended well, and the worst of them",
         [*(name for name, _ in next(iter(rows))), *heads],
         [[*(value for _, value in within),
-          *(_median_and_worst(measured, by_log.get(log), main[log]) for log in logs)]
+          *(_median_and_worst(measured, by_log[log], main[log]) for log in logs)]
          for within, by_log in rows.items()])
 
 
+def _main_metric(measured, log):
+    """The first metric that the log has, costs apart, which have tables of their own."""
+    return next((m for m in measured.study.metrics
+                 if m not in TIMES and measured.exists(log, m)), None)
+
+
 def _median_and_worst(measured, cell, name):
-    if cell is None or name is None:
-        return None
     values = [v for v in measured.values(cell, name).values() if v is not None]
     if not values:
         return None
