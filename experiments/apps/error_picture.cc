@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
-#include <stdexcept>
 #include <utility>
+
+#include "experiments/apps/png_canvas.h"
 
 namespace gmapping_spa::apps {
 namespace {
@@ -97,31 +97,21 @@ void WriteErrorPicture(const map::TrinaryMap& truth, const MapComparison& compar
   const double pixels_per_m = pixels_per_cell / truth.resolution_m;
   const int width_px = static_cast<int>(truth.width * pixels_per_cell);
   const int height_px = static_cast<int>(truth.height * pixels_per_cell);
-  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, width_px, height_px + kLegendHeight_px),
-      &cairo_surface_destroy);
-  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo(cairo_create(surface.get()),
-                                                                 &cairo_destroy);
-  cairo_save(cairo.get());
-  cairo_translate(cairo.get(), 0.0, height_px);
-  cairo_scale(cairo.get(), pixels_per_m, -pixels_per_m);
-  cairo_translate(cairo.get(), -truth.origin_x_m, -truth.origin_y_m);
-  DrawSeenSpace(cairo.get(), truth, comparison.seen);
+  const PngCanvas canvas(width_px, height_px + kLegendHeight_px);
+  cairo_t* const cairo = canvas.context();
+  cairo_save(cairo);
+  cairo_translate(cairo, 0.0, height_px);
+  cairo_scale(cairo, pixels_per_m, -pixels_per_m);
+  cairo_translate(cairo, -truth.origin_x_m, -truth.origin_y_m);
+  DrawSeenSpace(cairo, truth, comparison.seen);
   // What is wrong lies on top.
-  DrawCells(cairo.get(), comparison, tolerance_m, /*right=*/true);
-  DrawSurface(cairo.get(), comparison, tolerance_m, /*found=*/true);
-  DrawSurface(cairo.get(), comparison, tolerance_m, /*found=*/false);
-  DrawCells(cairo.get(), comparison, tolerance_m, /*right=*/false);
-  cairo_restore(cairo.get());
-  DrawLegend(cairo.get(), width_px, height_px);
-  cairo_status_t status = cairo_status(cairo.get());
-  if (status == CAIRO_STATUS_SUCCESS) {
-    status = cairo_surface_write_to_png(surface.get(), png_path.c_str());
-  }
-  if (status != CAIRO_STATUS_SUCCESS) {
-    throw std::runtime_error(
-        png_path + ": expected to write a picture, found: " + cairo_status_to_string(status));
-  }
+  DrawCells(cairo, comparison, tolerance_m, /*right=*/true);
+  DrawSurface(cairo, comparison, tolerance_m, /*found=*/true);
+  DrawSurface(cairo, comparison, tolerance_m, /*found=*/false);
+  DrawCells(cairo, comparison, tolerance_m, /*right=*/false);
+  cairo_restore(cairo);
+  DrawLegend(cairo, width_px, height_px);
+  canvas.Write(png_path);
 }
 
 }  // namespace gmapping_spa::apps

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
-#include <stdexcept>
 
 #include "backend/graph_index.h"
+#include "experiments/apps/png_canvas.h"
 
 namespace gmapping_spa::apps {
 namespace {
@@ -70,21 +69,14 @@ void DrawPanel(const PoseGraph& graph, double left_px, cairo_t* cairo) {
 
 void WriteGraphPicture(const PoseGraph& before, const PoseGraph& after,
                        const std::string& png_path) {
-  const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(2 * kPanel_px),
-                                 static_cast<int>(kPanel_px)),
-      &cairo_surface_destroy);
-  const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo(cairo_create(surface.get()),
-                                                                 &cairo_destroy);
-  cairo_set_source_rgb(cairo.get(), 1.0, 1.0, 1.0);
-  cairo_paint(cairo.get());
-  cairo_set_line_width(cairo.get(), 1.0);
-  DrawPanel(before, 0.0, cairo.get());
-  DrawPanel(after, kPanel_px, cairo.get());
-  const cairo_status_t status = cairo_surface_write_to_png(surface.get(), png_path.c_str());
-  if (status != CAIRO_STATUS_SUCCESS) {
-    throw std::runtime_error("cannot write " + png_path + ": " + cairo_status_to_string(status));
-  }
+  const PngCanvas canvas(static_cast<int>(2 * kPanel_px), static_cast<int>(kPanel_px));
+  cairo_t* const cairo = canvas.context();
+  cairo_set_source_rgb(cairo, 1.0, 1.0, 1.0);
+  cairo_paint(cairo);
+  cairo_set_line_width(cairo, 1.0);
+  DrawPanel(before, 0.0, cairo);
+  DrawPanel(after, kPanel_px, cairo);
+  canvas.Write(png_path);
 }
 
 }  // namespace gmapping_spa::apps

@@ -8,10 +8,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <memory>
 #include <numbers>
 #include <sstream>
-#include <stdexcept>
+
+#include "experiments/apps/png_canvas.h"
 
 namespace gmapping_spa::apps {
 namespace {
@@ -29,13 +29,6 @@ constexpr int kUnknownGrey = 205;
 struct Color {
   double red, green, blue;
 };
-
-struct Deleter {
-  void operator()(cairo_t* context) const { cairo_destroy(context); }
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-};
-using Context = std::unique_ptr<cairo_t, Deleter>;
-using Surface = std::unique_ptr<cairo_surface_t, Deleter>;
 
 // The part of the world that is shown and how it is mapped to pixels.
 struct View {
@@ -211,22 +204,13 @@ void DrawScaleBar(cairo_t* context, const View& view) {
 void WriteMapPicture(const TrinaryMap& map, const Trajectory& trajectory,
                      const std::string& png_path) {
   const View view = Fit(map, trajectory);
-  const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, view.width_px(),
-                                                   view.height_px() + kLegendHeightPx));
-  if (cairo_surface_status(surface.get()) == CAIRO_STATUS_SUCCESS) {
-    PaintMap(surface.get(), map, view);
+  const PngCanvas canvas(view.width_px(), view.height_px() + kLegendHeightPx);
+  if (cairo_surface_status(canvas.surface()) == CAIRO_STATUS_SUCCESS) {
+    PaintMap(canvas.surface(), map, view);
   }
-  const Context context(cairo_create(surface.get()));
-  DrawTrajectory(context.get(), trajectory, view);
-  DrawScaleBar(context.get(), view);
-  cairo_status_t status = cairo_status(context.get());
-  if (status == CAIRO_STATUS_SUCCESS) {
-    status = cairo_surface_write_to_png(surface.get(), png_path.c_str());
-  }
-  if (status != CAIRO_STATUS_SUCCESS) {
-    throw std::runtime_error(
-        png_path + ": expected to write a picture, found: " + cairo_status_to_string(status));
-  }
+  DrawTrajectory(canvas.context(), trajectory, view);
+  DrawScaleBar(canvas.context(), view);
+  canvas.Write(png_path);
 }
 
 }  // namespace gmapping_spa::apps

@@ -1,0 +1,79 @@
+#include "frontend/map/yaml_file.h"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+
+namespace gmapping_spa::map {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class YamlFileTest : public ::testing::Test {
+ protected:
+  YamlFile Read(const std::string& text) {
+    std::ofstream(path_) << text;
+    return YamlFile(path_);
+  }
+  static std::string ComplaintOf(const std::function<void()>& read) {
+    try {
+      read();
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  }
+  void TearDown() override { std::filesystem::remove(path_); }
+
+  const std::string path_ = ::testing::TempDir() +
+                            ::testing::UnitTest::GetInstance()->current_test_info()->name() +
+                            ".yaml";
+};
+
+TEST_F(YamlFileTest, GivesStringsNumbersAndLists) {
+  const YamlFile yaml = Read("name: hall\nsize: [4, 2.5]\nheight: 3e-1\n");
+  EXPECT_EQ(yaml.String("name"), "hall");
+  EXPECT_EQ(yaml.Number("height"), 0.3);
+  EXPECT_THAT(yaml.Numbers(yaml.Get("size"), 2, "[x, y]"), ElementsAre(4.0, 2.5));
+  EXPECT_EQ(yaml.Items("size").size(), 2U);
+  EXPECT_TRUE(yaml.Has("name"));
+  EXPECT_FALSE(yaml.Has("width"));
+}
+
+TEST_F(YamlFileTest, ComplaintsNameTheFileAndTheLine) {
+  const YamlFile yaml = Read("a: 1\nb: word\nc: .nan\nd: [1]\n");
+  EXPECT_THAT(ComplaintOf([&] { yaml.Number("b"); }), StartsWith(path_ + ":2: "));
+  EXPECT_THAT(ComplaintOf([&] { yaml.Number("c"); }), StartsWith(path_ + ":3: "));
+  EXPECT_THAT(ComplaintOf([&] { yaml.Numbers(yaml.Get("d"), 2, "[x, y]"); }),
+              ::testing::AllOf(StartsWith(path_ + ":4: "), HasSubstr("[x, y]")));
+  EXPECT_THAT(ComplaintOf([&] { yaml.Items("a"); }), StartsWith(path_ + ":1: "));
+}
+
+TEST_F(YamlFileTest, MisspeltKeyIsRefusedWithThoseThatAreAllowed) {
+  const YamlFile yaml = Read("size: 1\nresolutoin: 2\n");
+  EXPECT_THAT(ComplaintOf([&] {
+                yaml.AllowOnly({"size", "resolution"});
+              }),
+              ::testing::AllOf(StartsWith(path_ + ":2: "), HasSubstr("size, resolution"),
+                               HasSubstr("'resolutoin'")));
+  EXPECT_NO_THROW(yaml.AllowOnly({"size", "resolutoin", "boxes"}));
+}
+
+TEST_F(YamlFileTest, MissingKeyAndMissingFileAreErrors) {
+  const YamlFile yaml = Read("a: 1\n");
+  EXPECT_THAT(ComplaintOf([&] { yaml.Get("b"); }), HasSubstr("the key 'b'"));
+  EXPECT_THAT(ComplaintOf([] { YamlFile("/nowhere.yaml"); }), StartsWith("/nowhere.yaml: "));
+}
+
+TEST_F(YamlFileTest, WhatIsNoTableOfKeysIsAnError) {
+  EXPECT_THAT(ComplaintOf([&] { Read("[1, 2]\n"); }), HasSubstr("a table of keys"));
+  EXPECT_THAT(ComplaintOf([&] { Read("a: [1\n"); }), HasSubstr("expected YAML"));
+}
+
+}  // namespace
+}  // namespace gmapping_spa::map
