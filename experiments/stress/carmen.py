@@ -27,6 +27,7 @@ class Scan:
     beams: list[str] | None = None
     remissions: list[str] = dataclasses.field(default_factory=list)
     speeds: list[str] = dataclasses.field(default_factory=list)
+    is_in_relation: bool = False  # a relation names it: better kept, to be scored by
 
     def angles_rad(self) -> np.ndarray:
         """Of the beams, in the frame of the laser; for FLASER by the number of beams."""

@@ -16,12 +16,24 @@ import relations
 import stresses
 
 
+class ListKinds(argparse.Action):
+    """Ends like --help, whatever else is missing."""
+
+    def __init__(self, option_strings, dest, **kwargs):
+        super().__init__(option_strings, dest, nargs=0, **kwargs)
+
+    def __call__(self, parser, *_):
+        print(*stresses.STRESSES, sep="\n")
+        parser.exit()
+
+
 def parse_arguments() -> argparse.Namespace:
     kinds = "\n".join(f"  {name:14} {stress.meaning}"
                       for name, stress in sorted(stresses.STRESSES.items()))
     parser = argparse.ArgumentParser(
         description=__doc__, epilog=f"kinds of stress:\n{kinds}",
         formatter_class=argparse.RawDescriptionHelpFormatter, allow_abbrev=False)
+    parser.add_argument("--list", action=ListKinds, help="prints the kinds and ends")
     parser.add_argument("--log", type=pathlib.Path, required=True)
     parser.add_argument("--stress", required=True, choices=sorted(stresses.STRESSES),
                         metavar="KIND")
@@ -32,7 +44,8 @@ def parse_arguments() -> argparse.Namespace:
                         help="only that many scans from the start of the log")
     parser.add_argument("--relations", type=pathlib.Path, help="true motions between scans")
     parser.add_argument("--relations_output", type=pathlib.Path,
-                        help="those whose scans are left, in the stressed log's time stamps")
+                        help="the same in the stressed log's time stamps; ends whose scans are gone "
+                        "move on to the next scan that has a relation to them")
     parser.add_argument("--output", type=pathlib.Path, required=True)
     args = parser.parse_args()
     if args.seed < 0 or not (math.isfinite(args.size) and args.size > 0):
@@ -56,14 +69,17 @@ def main() -> None:
     args = parse_arguments()
     try:
         log = carmen.read(args.log)
+        true_motions = relations.read(args.relations) if args.relations else []
+        relations.mark(log, true_motions)
         if args.first_scans:
             cut(log, args.first_scans)
         stresses.apply(log, args.stress, args.seed, args.size)
         carmen.write(log, args.output)
         print(f"{args.output}: {len(log.scans())} scans")
         if args.relations:
-            count, left = relations.rewrite(log, args.relations, args.relations_output)
-            print(f"{args.relations_output}: {left} of {count} relations")
+            followed = relations.follow(log, true_motions)
+            relations.write(followed, args.relations_output)
+            print(f"{args.relations_output}: {len(followed)} of {len(true_motions)} relations")
     except (carmen.LogError, OSError) as error:
         sys.exit(f"stress_log.py: error: {error}")
 
