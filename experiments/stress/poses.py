@@ -7,10 +7,17 @@ def wrap(angle_rad):
     return (angle_rad + np.pi) % (2 * np.pi) - np.pi
 
 
+def cos_sin(angle_rad):
+    """Of an angle or an array. NumPy has several implementations of each; which of them a view
+    with gaps gets depends on addresses in memory, and so would the last digit."""
+    angle_rad = np.array(angle_rad, order="C")
+    return np.cos(angle_rad), np.sin(angle_rad)
+
+
 def compose(a_T_b, b_T_c):
     """a_T_c"""
     a_T_b, b_T_c = np.asarray(a_T_b, float), np.asarray(b_T_c, float)
-    cos, sin = np.cos(a_T_b[..., 2]), np.sin(a_T_b[..., 2])
+    cos, sin = cos_sin(a_T_b[..., 2])
     x, y = b_T_c[..., 0], b_T_c[..., 1]
     return np.stack([a_T_b[..., 0] + cos * x - sin * y, a_T_b[..., 1] + sin * x + cos * y,
                      wrap(a_T_b[..., 2] + b_T_c[..., 2])], axis=-1)
@@ -19,7 +26,7 @@ def compose(a_T_b, b_T_c):
 def inverse(a_T_b):
     """b_T_a"""
     a_T_b = np.asarray(a_T_b, float)
-    cos, sin = np.cos(a_T_b[..., 2]), np.sin(a_T_b[..., 2])
+    cos, sin = cos_sin(a_T_b[..., 2])
     x, y = a_T_b[..., 0], a_T_b[..., 1]
     return np.stack([-cos * x - sin * y, sin * x - cos * y, wrap(-a_T_b[..., 2])], axis=-1)
 
@@ -37,7 +44,7 @@ def steps_of(odom_T_robot):
 def chain(first, steps):
     """The poses that these steps lead to, `first` included."""
     theta = first[2] + np.concatenate([[0.0], np.cumsum(steps[:, 2])])
-    cos, sin = np.cos(theta[:-1]), np.sin(theta[:-1])
+    cos, sin = cos_sin(theta[:-1])
     x = first[0] + np.concatenate([[0.0], np.cumsum(cos * steps[:, 0] - sin * steps[:, 1])])
     y = first[1] + np.concatenate([[0.0], np.cumsum(sin * steps[:, 0] + cos * steps[:, 1])])
     return np.stack([x, y, wrap(theta)], axis=-1)

@@ -53,18 +53,17 @@ def thin1m(log, rng, size):
 
 @stress
 def teleport(log, rng, size):
-    """somebody carries the robot to where it is 60 s later: they are cut out of the middle, and the
-    wheels know nothing of it"""
+    """somebody carries the robot to where it is 60 s later (a third of the log if that is less):
+    that time is cut out of the middle, and the wheels know nothing of it"""
     scans = log.scans()
     stamps_s, odometry = stamps_of(scans), odometry_of(scans)
     middle_s = (stamps_s[0] + stamps_s[-1]) / 2
-    begin_s, end_s = middle_s - 30 * size, middle_s + 30 * size
-    after = np.searchsorted(stamps_s, end_s)
-    before = max(np.searchsorted(stamps_s, begin_s) - 1, 0)
-    if after < len(scans):
-        there_T_here = poses.compose(odometry[before], poses.inverse(odometry[after]))
-        odometry[after:] = poses.compose(there_T_here, odometry[after:])
-        set_odometry(log, odometry)
+    half_s = min(30 * size, (stamps_s[-1] - stamps_s[0]) / 6)
+    begin_s, end_s = middle_s - half_s, middle_s + half_s
+    before, after = np.searchsorted(stamps_s, [begin_s, end_s]) - [1, 0]
+    there_T_here = poses.compose(odometry[before], poses.inverse(odometry[after]))
+    odometry[after:] = poses.compose(there_T_here, odometry[after:])
+    set_odometry(log, odometry)
     log.records = [r for r in log.records
                    if isinstance(r, carmen.Other) or not begin_s <= r.stamp_s < end_s]
 

@@ -58,8 +58,9 @@ def survival(measured) -> Table:
         setting = tuple((k, v) for k, v in cell.coordinates().items() if k != "log" and v != "")
         errors_m = list(measured.values(cell, METRIC).values())
         rows.setdefault((kind, setting), {})[log] = errors_m
-        if kind == UNSTRESSED and None not in errors_m and errors_m:
-            unstressed[setting, log] = statistics.median(errors_m)
+        good = [error for error in errors_m if error is not None]
+        if kind == UNSTRESSED and good:
+            unstressed[setting, log] = statistics.median(good)
     logs = list(dict.fromkeys(log_and_kind(cell)[0] for cell in measured.study.cells))
     table = []
     for (kind, setting), by_log in rows.items():
