@@ -53,7 +53,7 @@ def set_odometry(log: carmen.Log, odom_T_robot: np.ndarray) -> None:
 
 def moving_stretches(scans: list[carmen.Scan], rng: np.random.Generator, count: int,
                      seconds: float) -> list[tuple[int, int]]:
-    """Up to `count` stretches [first, last] of so many seconds that do not meet, at random among
+    """One to `count` stretches [first, last] of so many seconds that do not meet, at random among
     the half of them in which the robot moves most."""
     stamps_s, steps = stamps_of(scans), poses.steps_of(odometry_of(scans))
     motion = np.hypot(steps[:, 0], steps[:, 1]) + np.abs(steps[:, 2])
@@ -67,9 +67,9 @@ def moving_stretches(scans: list[carmen.Scan], rng: np.random.Generator, count: 
 
 def apart(first: np.ndarray, last: np.ndarray, moved: np.ndarray, rng: np.random.Generator,
           count: int) -> list[tuple[int, int]]:
-    """Stretches that do not touch, at random among the half with most motion."""
+    """Stretches that do not touch, one or more, at random among the half with most motion."""
     if not first.size:
-        return []
+        raise carmen.LogError("the log is too short for this stress")
     candidates = np.flatnonzero(moved >= np.median(moved))
     chosen: list[tuple[int, int]] = []
     for i in rng.permutation(candidates):

@@ -3,8 +3,8 @@
 
     stress_log.py --log=IN.clf.gz --stress=KIND --seed=S --output=OUT.clf.gz
 
-Scans that are left keep their time stamps, unless the kind is about time. Files are gzipped if their
-name ends with .gz.
+Scans that are left keep their time stamps, unless the kind is about time. Files are gzipped if
+their name ends with .gz.
 """
 import argparse
 import math
@@ -44,8 +44,8 @@ def parse_arguments() -> argparse.Namespace:
                         help="only that many scans from the start of the log")
     parser.add_argument("--relations", type=pathlib.Path, help="true motions between scans")
     parser.add_argument("--relations_output", type=pathlib.Path,
-                        help="the same in the stressed log's time stamps; ends whose scans are gone "
-                        "move on to the next scan that has a relation to them")
+                        help="the same in the stressed log's time stamps; ends whose scans are "
+                        "gone move on to the next scan that has a relation to them")
     parser.add_argument("--output", type=pathlib.Path, required=True)
     args = parser.parse_args()
     if args.seed < 0 or not (math.isfinite(args.size) and args.size > 0):

@@ -4,6 +4,7 @@ import unittest
 import numpy as np
 import stress_test_case
 
+import carmen
 import poses
 import registry
 
@@ -40,6 +41,11 @@ class RegistryTest(stress_test_case.StressTestCase):
             for first, last in found:
                 self.assertGreaterEqual(first, 140)
                 self.assertIn(last - first, (9, 10))
+
+    def test_a_log_without_room_for_a_stress_is_refused(self):
+        self.before.keep(self.before.scans()[:9])
+        with self.assertRaisesRegex(carmen.LogError, "too short"):
+            registry.moving_stretches(self.before.scans(), np.random.default_rng(1), 4, 1.0)
 
 
 if __name__ == "__main__":
