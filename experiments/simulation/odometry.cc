@@ -38,31 +38,37 @@ WheelSpeeds Odometry::Slipped(const WheelSpeeds& wheels, double distance_m, doub
   return {bias_.left * slip_.left * wheels.left_m_s, bias_.right * slip_.right * wheels.right_m_s};
 }
 
-double Odometry::BumpRad(double distance_m) {
+Odometry::Jump Odometry::Bump(double distance_m) {
   backend::CounterRandom random(seed_, kBumpStream, step_);
-  if (random.Uniform() >= Probability(options_.bumps_per_m, distance_m)) return 0.0;
+  if (random.Uniform() >= Probability(options_.bumps_per_m, distance_m)) return {};
   ++bumps_;
-  return options_.interference * options_.bump_deviation_rad * random.Gaussian();
+  Jump jump;
+  jump.rotation_rad = options_.interference * options_.bump_deviation_rad * random.Gaussian();
+  jump.translation_m = options_.interference * options_.bump_deviation_m * random.Gaussian();
+  return jump;
 }
 
 void Odometry::Advance(const BodyVelocity& true_velocity, double duration_s) {
+  if (options_.silent) return;
   const double distance_m = std::abs(true_velocity.linear_m_s) * duration_s;
   const double angle_rad = std::abs(true_velocity.angular_rad_s) * duration_s;
   const BodyVelocity reported = ToBodyVelocity(
       Slipped(ToWheelSpeeds(true_velocity, options_.wheel_base_m), distance_m, duration_s),
       options_.wheel_base_m);
+  const Jump jump = Bump(distance_m);
   backend::CounterRandom random(seed_, kOdometryStream, step_);
   const double translation_m =
       options_.noise *
-      std::hypot(options_.translation_m_per_root_m * std::sqrt(distance_m),
-                 options_.translation_m_per_root_rad * std::sqrt(angle_rad)) *
-      random.Gaussian();
+          std::hypot(options_.translation_m_per_root_m * std::sqrt(distance_m),
+                     options_.translation_m_per_root_rad * std::sqrt(angle_rad)) *
+          random.Gaussian() +
+      jump.translation_m;
   const double rotation_rad =
       options_.noise *
           std::hypot(options_.rotation_rad_per_root_m * std::sqrt(distance_m),
                      options_.rotation_rad_per_root_rad * std::sqrt(angle_rad)) *
           random.Gaussian() +
-      BumpRad(distance_m);
+      jump.rotation_rad;
   measured_velocity_ = {reported.linear_m_s + translation_m / duration_s,
                         reported.angular_rad_s + rotation_rad / duration_s};
   odom_T_robot_ = Drive(odom_T_robot_, measured_velocity_, duration_s);
