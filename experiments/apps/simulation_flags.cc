@@ -89,6 +89,7 @@ DEFINE_double(bump_deg, kDefault.odometry.bump_deviation_rad * 180.0 / std::numb
               "Standard deviation in degrees of the heading's jump at a knock.");
 DEFINE_double(bump_m, kDefault.odometry.bump_deviation_m,
               "Standard deviation in m of the jump along the heading at a knock.");
+DEFINE_double(calm_s, kDefault.odometry.calm_s, "Seconds from the start without slips and knocks.");
 DEFINE_double(wheel_scale_bias, kDefault.odometry.wheel_scale_deviation,
               "Standard deviation of the error of both wheels' size, as a part of it; the seed "
               "draws one for the whole tour.");
@@ -188,6 +189,7 @@ simulation::SimulationOptions OptionsFromFlags(std::uint64_t seed) {
   odometry.slip_duration_s = InRange("slip_duration_s", FLAGS_slip_duration_s, 0.0, 1000.0);
   odometry.bump_deviation_rad = InRange("bump_deg", FLAGS_bump_deg, 0.0, 360.0) * kRadPerDeg;
   odometry.bump_deviation_m = InRange("bump_m", FLAGS_bump_m, 0.0, 100.0);
+  odometry.calm_s = InRange("calm_s", FLAGS_calm_s, 0.0, 1e9);
   odometry.slips_per_m = InRange("slip_probability", FLAGS_slip_probability, 0.0, 1000.0);
   odometry.bumps_per_m = InRange("bump_probability", FLAGS_bump_probability, 0.0, 1000.0);
   odometry.wheel_scale_deviation = InRange("wheel_scale_bias", FLAGS_wheel_scale_bias, 0.0, 0.1);

@@ -6,15 +6,6 @@
 #include "experiments/simulation/random_streams.h"
 
 namespace gmapping_spa::simulation {
-namespace {
-
-// Of one event or more in a step.
-double Probability(double events_per_m, double distance_m) {
-  return -std::expm1(-events_per_m * distance_m);
-}
-
-}  // namespace
-
 Odometry::Odometry(const OdometryOptions& options, std::uint64_t seed)
     : options_(options), seed_(seed) {
   backend::CounterRandom random(seed, kBiasStream);
@@ -24,11 +15,16 @@ Odometry::Odometry(const OdometryOptions& options, std::uint64_t seed)
   bias_ = {scale * (1.0 - ratio / 2.0), scale * (1.0 + ratio / 2.0)};
 }
 
+double Odometry::ProbabilityOf(double events_per_m, double distance_m) const {
+  if (elapsed_s_ < options_.calm_s) return 0.0;
+  return -std::expm1(-events_per_m * distance_m);
+}
+
 WheelSpeeds Odometry::Slipped(const WheelSpeeds& wheels, double distance_m, double duration_s) {
   // Half a step of tolerance: rounding must not add one.
   if (slip_left_s_ < duration_s / 2.0) slip_ = {};
   backend::CounterRandom random(seed_, kSlipStream, step_);
-  if (random.Uniform() < Probability(options_.slips_per_m, distance_m)) {
+  if (random.Uniform() < ProbabilityOf(options_.slips_per_m, distance_m)) {
     ++slips_;
     (random.Uniform() < 0.5 ? slip_.left : slip_.right) =
         1.0 + options_.interference * options_.slip_deviation * random.Gaussian();
@@ -40,7 +36,7 @@ WheelSpeeds Odometry::Slipped(const WheelSpeeds& wheels, double distance_m, doub
 
 Odometry::Jump Odometry::Bump(double distance_m) {
   backend::CounterRandom random(seed_, kBumpStream, step_);
-  if (random.Uniform() >= Probability(options_.bumps_per_m, distance_m)) return {};
+  if (random.Uniform() >= ProbabilityOf(options_.bumps_per_m, distance_m)) return {};
   ++bumps_;
   Jump jump;
   jump.rotation_rad = options_.interference * options_.bump_deviation_rad * random.Gaussian();
@@ -73,6 +69,7 @@ void Odometry::Advance(const BodyVelocity& true_velocity, double duration_s) {
                         reported.angular_rad_s + rotation_rad / duration_s};
   odom_T_robot_ = Drive(odom_T_robot_, measured_velocity_, duration_s);
   ++step_;
+  elapsed_s_ += duration_s;
 }
 
 }  // namespace gmapping_spa::simulation

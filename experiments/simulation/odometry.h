@@ -34,6 +34,7 @@ struct OdometryOptions {
   double bumps_per_m = 0.01;
   double bump_deviation_rad = 0.1;
   double bump_deviation_m = 0.0;
+  double calm_s = 0.0;  // until then there are neither slips nor bumps
   // Bias: wheels that are not as large as the robot thinks, the same all the way; standard
   // deviations of what the seed draws. Tyre, load and floor change both wheels by some tenths of a
   // per cent. Little of that differs from one wheel to the other: 0.03 % is a sixteenth of a
@@ -56,6 +57,8 @@ class Odometry {
   int bumps() const { return bumps_; }
 
  private:
+  // Of slips or bumps in a step, where so many are to be expected a metre.
+  double ProbabilityOf(double events_per_m, double distance_m) const;
   // What the wheels report.
   WheelSpeeds Slipped(const WheelSpeeds& wheels, double distance_m, double duration_s);
   struct Jump {
@@ -67,6 +70,7 @@ class Odometry {
   OdometryOptions options_;
   std::uint64_t seed_;
   std::uint32_t step_ = 0;
+  double elapsed_s_ = 0.0;
   backend::SE2 odom_T_robot_;
   BodyVelocity measured_velocity_;
 

@@ -207,5 +207,17 @@ TEST(Odometry, AKnockMovesAsWellAsTurns) {
   EXPECT_NEAR(variance, 0.16, 5.0 * 0.16 * std::sqrt(2.0 / odometry.bumps()));
 }
 
+TEST(Odometry, NeitherSlipsNorBumpsWhileItIsCalm) {
+  OdometryOptions options;
+  options.slips_per_m = options.bumps_per_m = 100.0;
+  options.calm_s = 10.0;
+  Odometry odometry(options, 1);
+  for (int i = 0; i < 199; ++i) odometry.Advance({1.0, 0.0}, 0.05);
+  EXPECT_EQ(odometry.slips() + odometry.bumps(), 0);
+  for (int i = 0; i < 20; ++i) odometry.Advance({1.0, 0.0}, 0.05);
+  EXPECT_GT(odometry.slips(), 5);
+  EXPECT_GT(odometry.bumps(), 5);
+}
+
 }  // namespace
 }  // namespace gmapping_spa::simulation
