@@ -193,6 +193,30 @@ TEST(Simulation, ARobotThatIsCarriedGoesOnElsewhereAndItsWheelsKnowNothing) {
   EXPECT_NEAR((summary.odom_T_robot.translation() - expected.translation()).norm(), 0.0, 0.05);
 }
 
+TEST(Simulation, WithoutErrorsTheOdometryIsTheTruth) {
+  SimulationOptions options = OneDegreeBeams();
+  options.odometry.noise = options.odometry.interference = 0.0;
+  options.follower.reverse = true;
+  options.follower.turns_at_way_points = 1.0;
+  struct Odometries : Nowhere {
+    std::vector<backend::SE2> odom_T_robot;
+    void OnScan(const OdometryReading& reading, const LidarOptions& /*lidar*/,
+                const std::vector<double>& /*ranges_m*/) override {
+      odom_T_robot.push_back(reading.odom_T_robot);
+    }
+  } odometries;
+  const SimulationSummary summary =
+      Simulate(Yard(), {{2, 2}, {9, 2}, {9, 8}, {2, 8}}, options, &odometries);
+  ASSERT_EQ(odometries.odom_T_robot.size(), summary.world_T_robot.size());
+  const backend::SE2 world_T_odom = summary.world_T_robot.front().world_T_robot;
+  for (std::size_t i = 0; i < odometries.odom_T_robot.size(); ++i) {
+    const backend::SE2 error = backend::Between(summary.world_T_robot[i].world_T_robot,
+                                                world_T_odom * odometries.odom_T_robot[i]);
+    EXPECT_LT(error.translation().norm(), 1e-5);
+    EXPECT_LT(std::abs(error.theta), 1e-5);
+  }
+}
+
 TEST(Simulation, TheCrowdIsSeenAndNeverTouchesTheRobot) {
   SimulationOptions options = OneDegreeBeams();
   options.lidar.range_noise_m = 0.0;
