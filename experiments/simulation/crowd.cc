@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "backend/counter_random.h"
 #include "experiments/simulation/random_streams.h"
