@@ -23,6 +23,7 @@ constexpr double kNearestEntryM = 4.0, kFarthestEntryM = 10.0, kLeftBehindM = 12
 constexpr int kEntryTries = 30;
 // How far ahead a walker looks for a free way, in time.
 constexpr double kLookaheadS = 1.0;
+constexpr double kSlowestM_S = 0.5, kFastestM_S = 1.8;
 constexpr double kMaxTurnRateRadS = 3.0;
 // The wish to turn is random, with this deviation and memory.
 constexpr double kWanderRadS = 0.5, kWanderMemoryS = 2.0;
@@ -59,7 +60,7 @@ std::optional<Walker> Enter(const Obstacles& obstacles, CounterRandom* random) {
         Ahead(obstacles.robot, 2.0 * std::numbers::pi * random->Uniform(), distance_m);
     const double heading_rad = std::numbers::pi * (2.0 * random->Uniform() - 1.0);
     if (!obstacles.Clear(point)) continue;
-    const double speed_m_s = std::clamp(1.1 + 0.3 * random->Gaussian(), 0.5, 1.8);
+    const double speed_m_s = std::clamp(1.1 + 0.3 * random->Gaussian(), kSlowestM_S, kFastestM_S);
     return Walker{{point.x(), point.y(), heading_rad}, speed_m_s, 0.0};
   }
   return std::nullopt;
@@ -110,7 +111,8 @@ std::optional<Rectangle> Walk::At(double time_s) const {
   }
   const std::optional<SE2>& next = world_T_walker_[step + 1];
   // Who is there next and too far away is someone else.
-  if (!next || (next->translation() - now->translation()).norm() > kDistanceM) {
+  const double farthest_m = 1.001 * kFastestM_S * step_s_;
+  if (!next || (next->translation() - now->translation()).norm() > farthest_m) {
     return Rectangle{*now, kHalfSizeM};
   }
   const double share = std::min(1.0, at - static_cast<double>(step));
