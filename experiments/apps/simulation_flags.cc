@@ -2,10 +2,16 @@
 
 #include <gflags/gflags.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
+#include <functional>
+#include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "backend/trajectory_io.h"
 #include "experiments/apps/flag_checks.h"
@@ -30,23 +36,60 @@ DEFINE_double(robot_radius, kDefault.robot_radius_m,
               "Radius in m of the robot, which must not touch anything.");
 DEFINE_double(scan_rate, kDefault.lidar.rate_hz, "Scans a second; odometry comes twice as often.");
 DEFINE_double(angular_resolution, 360.0 / kDefault.lidar.beams,
-              "Degrees from beam to beam, such that they divide 360.");
+              "Degrees from beam to beam, such that they divide --fov_deg.");
+DEFINE_double(fov_deg, 360.0,
+              "The laser's field of view in degrees: from the first beam to the last, or 360 for a "
+              "whole turn.");
+DEFINE_double(fov_center_deg, 0.0,
+              "Direction in degrees of the middle of the field of view, in the laser's frame: the "
+              "first beam is half of --fov_deg before it.");
+DEFINE_string(laser_mount, "0,0,0",
+              "Pose x,y,theta (m, m, degrees) of the laser on the robot: 0.2,0,180 looks to the "
+              "rear.");
 DEFINE_double(max_range, kDefault.lidar.max_range_m,
               "Range of the laser in m; written where a beam has no return.");
 DEFINE_double(range_noise, kDefault.lidar.range_noise_m, "Standard deviation of a range, m.");
 DEFINE_bool(motion_during_scan, kDefault.lidar.motion_during_scan,
-            "Each beam is measured at its time in the laser's turn, that straight ahead at the "
-            "scan's stamp; else all at once.");
+            "Each beam is measured at its time in the laser's turn, the middle of the field of "
+            "view at the scan's stamp; else all at once.");
+DEFINE_string(cover, "",
+              "Times begin,end,begin,end ... in s between which something lies on the laser: all "
+              "beams read --cover_range.");
+DEFINE_double(cover_range, kDefault.covered_range_m,
+              "What a covered laser reads, m; --max_range or more is no return.");
+DEFINE_string(scan_gaps, "",
+              "Times begin,end,begin,end ... in s between which no scans are taken.");
+DEFINE_bool(reverse, kDefault.follower.reverse, "Drives the tour backwards: the rear goes first.");
+DEFINE_double(turns_at_way_points, kDefault.follower.turns_at_way_points,
+              "Full turns that the robot makes on the spot at each way point but the first; "
+              "clockwise when negative.");
+DEFINE_double(carry_s, kDefault.carry_s,
+              "Seconds that it takes to carry the robot to where another of the --path file's "
+              "tours begins; wheels stand still and no scans are taken meanwhile.");
+DEFINE_int32(crowd, kDefault.walkers,
+             "People who walk about within 12 m of the robot and never touch it.");
+DEFINE_string(wheels, "noisy",
+              "What the odometry says: noisy (the truth with the errors that the flags below "
+              "describe), exact (the truth) or silent (always the pose 0 0 0).");
 DEFINE_double(odometry_noise, kDefault.odometry.noise,
               "Factor on the standard deviations of the odometry's normal noise.");
 DEFINE_double(interference, kDefault.odometry.interference,
               "Factor on the size of slips, bumps and biases: all that is not normal noise.");
 DEFINE_double(slip_probability, kDefault.odometry.slips_per_m,
-              "Probability per metre that a wheel starts to slip: it reports some tens of per cent "
-              "too much or too little for 0.4 s.");
+              "Probability per metre that a wheel starts to slip: for --slip_duration_s it reports "
+              "too much or too little.");
+DEFINE_double(slip_size, kDefault.odometry.slip_deviation,
+              "Standard deviation of the error of a wheel that slips, as a part of its travel.");
+DEFINE_double(slip_duration_s, kDefault.odometry.slip_duration_s, "How long a slip takes, s.");
 DEFINE_double(
     bump_probability, kDefault.odometry.bumps_per_m,
-    "Probability per metre that the robot is knocked: its heading jumps by some degrees.");
+    "Probability per metre that the robot is knocked: its odometry jumps from one reading to the "
+    "next.");
+DEFINE_double(bump_deg, kDefault.odometry.bump_deviation_rad * 180.0 / std::numbers::pi,
+              "Standard deviation in degrees of the heading's jump at a knock.");
+DEFINE_double(bump_m, kDefault.odometry.bump_deviation_m,
+              "Standard deviation in m of the jump along the heading at a knock.");
+DEFINE_double(calm_s, kDefault.odometry.calm_s, "Seconds from the start without slips and knocks.");
 DEFINE_double(wheel_scale_bias, kDefault.odometry.wheel_scale_deviation,
               "Standard deviation of the error of both wheels' size, as a part of it; the seed "
               "draws one for the whole tour.");
@@ -58,15 +101,63 @@ DEFINE_double(truth_resolution, 0.05,
 namespace gmapping_spa::apps {
 namespace {
 
+constexpr double kRadPerDeg = std::numbers::pi / 180.0;
+
+// Comma-separated finite numbers.
+std::vector<double> Numbers(const std::string& flag, const std::string& text) {
+  std::vector<double> numbers;
+  std::istringstream in(text);
+  for (std::string item; std::getline(in, item, ',');) {
+    double value = 0.0;
+    char rest = 0;
+    if (std::sscanf(item.c_str(), "%lf%c", &value, &rest) != 1 || !std::isfinite(value)) {
+      throw std::runtime_error("--" + flag + "=" + text + ": expected a number, found '" + item +
+                               "'");
+    }
+    numbers.push_back(value);
+  }
+  return numbers;
+}
+
+backend::SE2 LaserMount() {
+  const std::vector<double> pose = Numbers("laser_mount", FLAGS_laser_mount);
+  if (pose.size() != 3 || !(std::hypot(pose[0], pose[1]) <= 100.0 && std::abs(pose[2]) <= 360.0)) {
+    throw std::runtime_error("--laser_mount=" + FLAGS_laser_mount +
+                             ": expected x,y,theta within 100 m and 360 degrees");
+  }
+  return {pose[0], pose[1], backend::WrapAngle(pose[2] * kRadPerDeg)};
+}
+
+std::vector<simulation::TimeSpan> TimeSpans(const std::string& flag, const std::string& text) {
+  const std::vector<double> times_s = Numbers(flag, text);
+  std::vector<simulation::TimeSpan> spans;
+  for (std::size_t i = 0; i + 1 < times_s.size(); i += 2) {
+    spans.push_back({times_s[i], times_s[i + 1]});
+  }
+  const bool ascending =
+      std::adjacent_find(times_s.begin(), times_s.end(), std::greater_equal<>()) == times_s.end();
+  if (times_s.size() % 2 != 0 || !ascending) {
+    throw std::runtime_error("--" + flag + "=" + text +
+                             ": expected an even number of ascending times");
+  }
+  return spans;
+}
+
 simulation::LidarOptions LidarOptionsFromFlags() {
   simulation::LidarOptions lidar;
-  const double beams =
-      360.0 / InRange("angular_resolution", FLAGS_angular_resolution, 0.001, 360.0);
-  lidar.beams = static_cast<int>(std::lround(beams));
-  if (std::abs(beams - lidar.beams) > 1e-6 * beams) {
-    throw std::runtime_error("--angular_resolution: expected degrees that divide 360, found " +
+  const double fov_deg = InRange("fov_deg", FLAGS_fov_deg, 0.0, 360.0);
+  const double steps =
+      fov_deg / InRange("angular_resolution", FLAGS_angular_resolution, 0.001, 360.0);
+  if (std::abs(steps - std::round(steps)) > 1e-6 * steps) {
+    throw std::runtime_error("--angular_resolution: expected degrees that divide the " +
+                             std::to_string(fov_deg) + " of --fov_deg, found " +
                              std::to_string(FLAGS_angular_resolution));
   }
+  lidar.fov_rad = fov_deg * kRadPerDeg;
+  lidar.fov_center_rad =
+      InRange("fov_center_deg", FLAGS_fov_center_deg, -360.0, 360.0) * kRadPerDeg;
+  lidar.beams = static_cast<int>(std::lround(steps)) + (lidar.all_round() ? 0 : 1);
+  lidar.robot_T_laser = LaserMount();
   lidar.motion_during_scan = FLAGS_motion_during_scan;
   lidar.rate_hz = InRange("scan_rate", FLAGS_scan_rate, 0.1, 1000.0);
   lidar.max_range_m = InRange("max_range", FLAGS_max_range, 0.01, 10000.0);
@@ -74,20 +165,42 @@ simulation::LidarOptions LidarOptionsFromFlags() {
   return lidar;
 }
 
+enum class Wheels { kNoisy, kExact, kSilent };
+
 simulation::SimulationOptions OptionsFromFlags(std::uint64_t seed) {
   simulation::SimulationOptions options;
   options.seed = seed;
   options.robot_radius_m = InRange("robot_radius", FLAGS_robot_radius, 0.01, 100.0);
   options.follower.max_speed_m_s = InRange("max_speed", FLAGS_max_speed, 0.01, 100.0);
   options.follower.max_turn_rate_rad_s = InRange("max_turn_rate", FLAGS_max_turn_rate, 0.01, 100.0);
+  options.follower.reverse = FLAGS_reverse;
+  options.follower.turns_at_way_points =
+      InRange("turns_at_way_points", FLAGS_turns_at_way_points, -1000.0, 1000.0);
+  options.carry_s = InRange("carry_s", FLAGS_carry_s, 0.0, 1e5);
+  options.covered = TimeSpans("cover", FLAGS_cover);
+  options.covered_range_m = InRange("cover_range", FLAGS_cover_range, 0.0, 1e4);
+  options.without_scan = TimeSpans("scan_gaps", FLAGS_scan_gaps);
+  options.walkers = InRange("crowd", FLAGS_crowd, 0, 1000);
   options.lidar = LidarOptionsFromFlags();
   simulation::OdometryOptions& odometry = options.odometry;
   odometry.noise = InRange("odometry_noise", FLAGS_odometry_noise, 0.0, 1000.0);
   odometry.interference = InRange("interference", FLAGS_interference, 0.0, 1000.0);
+  odometry.slip_deviation = InRange("slip_size", FLAGS_slip_size, 0.0, 100.0);
+  odometry.slip_duration_s = InRange("slip_duration_s", FLAGS_slip_duration_s, 0.0, 1000.0);
+  odometry.bump_deviation_rad = InRange("bump_deg", FLAGS_bump_deg, 0.0, 360.0) * kRadPerDeg;
+  odometry.bump_deviation_m = InRange("bump_m", FLAGS_bump_m, 0.0, 100.0);
+  odometry.calm_s = InRange("calm_s", FLAGS_calm_s, 0.0, 1e9);
   odometry.slips_per_m = InRange("slip_probability", FLAGS_slip_probability, 0.0, 1000.0);
   odometry.bumps_per_m = InRange("bump_probability", FLAGS_bump_probability, 0.0, 1000.0);
   odometry.wheel_scale_deviation = InRange("wheel_scale_bias", FLAGS_wheel_scale_bias, 0.0, 0.1);
   odometry.wheel_ratio_deviation = InRange("wheel_ratio_bias", FLAGS_wheel_ratio_bias, 0.0, 0.1);
+  const Wheels wheels = OneOf<Wheels>(
+      "wheels", FLAGS_wheels,
+      {{"noisy", Wheels::kNoisy}, {"exact", Wheels::kExact}, {"silent", Wheels::kSilent}});
+  odometry.silent = wheels == Wheels::kSilent;
+  if (wheels != Wheels::kNoisy) {
+    odometry.noise = odometry.interference = odometry.slips_per_m = odometry.bumps_per_m = 0.0;
+  }
   return options;
 }
 
@@ -106,7 +219,9 @@ SimulationSetup SimulationFromFlags(std::uint64_t seed) {
   if (!FLAGS_obstacles.empty()) input_files["obstacles"] = FLAGS_obstacles;
   simulation::Scene scene =
       simulation::Scene::Read(FLAGS_world, FLAGS_obstacles, FLAGS_walking_pedestrian);
-  simulation::WayPoints way_points = simulation::ReadWayPoints(path);
+  std::vector<simulation::WayPoints> tours = simulation::ReadTours(path);
+  simulation::WayPoints way_points = std::move(tours.front());
+  options.carried_to.assign(std::next(tours.begin()), tours.end());
   map::TrinaryMap truth = simulation::TruthMap(
       scene.world, way_points.front(),
       truth_resolution_m > 0.0 ? truth_resolution_m : scene.world.raster().resolution_m);

@@ -86,8 +86,8 @@ void CarmenWriter::OnOdometry(const OdometryReading& reading) {
 
 void CarmenWriter::OnScan(const OdometryReading& odometry, const LidarOptions& lidar,
                           const std::vector<double>& ranges_m) {
-  // The field of view is from the first to the last beam, so that readers that divide it by the
-  // number of gaps agree with those that use the resolution.
+  // The field of view is from the first to the last beam, all round too, so that readers that
+  // divide it by the number of gaps agree with those that use the resolution.
   Line line("ROBOTLASER1 0");
   line.Exact(lidar.start_angle_rad())
       .Exact(lidar.angular_resolution_rad() * (lidar.beams - 1))
@@ -98,7 +98,7 @@ void CarmenWriter::OnScan(const OdometryReading& odometry, const LidarOptions& l
       .Text(std::to_string(ranges_m.size()).c_str());
   for (const double range_m : ranges_m) line.Fixed<3>(range_m);
   line.Text(" 0")
-      .Fixed6(odometry.odom_T_robot)
+      .Fixed6(odometry.odom_T_robot * lidar.robot_T_laser)
       .Fixed6(odometry.odom_T_robot)
       .Fixed6(odometry.velocity)
       .Text(" 0 0 0")

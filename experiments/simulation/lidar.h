@@ -1,4 +1,4 @@
-// A scanning range finder that sees all around.
+// A scanning range finder on a robot.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_LIDAR_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_LIDAR_H_
 
@@ -19,22 +19,30 @@ namespace gmapping_spa::simulation {
 // be had to check them, and what its "accuracy" means is not known. It is taken for a bound of 95
 // %, two standard deviations.
 struct LidarOptions {
-  int beams = 1000;  // a turn, from -180 degrees, counter-clockwise
+  int beams = 1000;  // counter-clockwise
+  // A whole turn from the first beam to itself, or less: from the first beam to the last.
+  double fov_rad = 2.0 * std::numbers::pi;
+  double fov_center_rad = 0.0;  // direction of the middle of the field of view, in the laser frame
   double rate_hz = 10.0;
   double max_range_m = 30.0;
   double range_noise_m = 0.015;  // standard deviation
-  // Whether the laser moves while it turns. The stamp of a scan is the time at which the beam
-  // straight ahead is measured, the middle of the turn, whose pose explains the scan best.
+  // Whether the laser moves while it turns, once in 1 / rate_hz. The stamp of a scan is the time at
+  // which the middle of the field of view is measured, whose pose explains the scan best.
   bool motion_during_scan = false;
+  backend::SE2 robot_T_laser;
 
-  double start_angle_rad() const { return -std::numbers::pi; }
-  double angular_resolution_rad() const { return 2.0 * std::numbers::pi / beams; }
+  bool all_round() const { return fov_rad >= 2.0 * std::numbers::pi; }
+  double start_angle_rad() const { return fov_center_rad - fov_rad / 2.0; }
+  // 0 for a single beam.
+  double angular_resolution_rad() const {
+    return all_round() ? fov_rad / beams : beams > 1 ? fov_rad / (beams - 1) : 0.0;
+  }
 };
 
-// How the laser moves during a turn.
+// How the robot moves during a turn of the laser.
 struct Sweep {
   double stamp_s = 0.0;
-  backend::SE2 world_T_laser;  // at the stamp
+  backend::SE2 world_T_robot;  // at the stamp
   BodyVelocity before, after;  // in the half turns before and after it
 };
 

@@ -2,6 +2,7 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_LOG_SINK_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_LOG_SINK_H_
 
+#include <cmath>
 #include <vector>
 
 #include "backend/se2.h"
@@ -16,6 +17,12 @@ struct OdometryReading {
   BodyVelocity velocity;
 };
 
+// Rounded as a log holds it.
+inline double LoggedNumber(double value) { return std::round(value * 1e6) / 1e6; }
+inline backend::SE2 LoggedPose(const backend::SE2& pose) {
+  return {LoggedNumber(pose.x), LoggedNumber(pose.y), LoggedNumber(pose.theta)};
+}
+
 // Readings come in the order of time, rounded to what a log holds: a millimetre for ranges, 1e-6
 // for all else. So a mapper that is fed directly gets the same as one that reads the log.
 class LogSink {
@@ -24,7 +31,7 @@ class LogSink {
 
   virtual void OnOdometry(const OdometryReading& reading) = 0;
 
-  // Of a laser at the robot's centre, facing forward, with the odometry at the scan's stamp.
+  // With the odometry at the scan's stamp.
   virtual void OnScan(const OdometryReading& odometry, const LidarOptions& lidar,
                       const std::vector<double>& ranges_m) = 0;
 };

@@ -11,6 +11,7 @@ namespace gmapping_spa::simulation {
 
 struct OdometryOptions {
   double wheel_base_m = 0.5;
+  bool silent = false;  // the robot never believes to move
 
   // Variances grow with the motion, so that the noise of a path does not depend on the length of a
   // step: after d m and a rad, (deviation per root metre)^2 * d + (deviation per root radian)^2 *
@@ -28,9 +29,12 @@ struct OdometryOptions {
   double slips_per_m = 0.01;
   double slip_duration_s = 0.4;
   double slip_deviation = 0.2;
-  // Bumps: the robot is knocked, and its heading jumps by a normal angle.
+  // Bumps: within one step, what the robot believes jumps by a normal angle and, along its heading,
+  // by a normal distance.
   double bumps_per_m = 0.01;
   double bump_deviation_rad = 0.1;
+  double bump_deviation_m = 0.0;
+  double calm_s = 0.0;  // until then there are neither slips nor bumps
   // Bias: wheels that are not as large as the robot thinks, the same all the way; standard
   // deviations of what the seed draws. Tyre, load and floor change both wheels by some tenths of a
   // per cent. Little of that differs from one wheel to the other: 0.03 % is a sixteenth of a
@@ -53,14 +57,20 @@ class Odometry {
   int bumps() const { return bumps_; }
 
  private:
+  // Of slips or bumps in a step, where so many are to be expected a metre.
+  double ProbabilityOf(double events_per_m, double distance_m) const;
   // What the wheels report.
   WheelSpeeds Slipped(const WheelSpeeds& wheels, double distance_m, double duration_s);
-  // How far a knock turns the heading in this step; 0 in most.
-  double BumpRad(double distance_m);
+  struct Jump {
+    double translation_m = 0.0, rotation_rad = 0.0;
+  };
+  // What a knock does in this step; nothing in most.
+  Jump Bump(double distance_m);
 
   OdometryOptions options_;
   std::uint64_t seed_;
   std::uint32_t step_ = 0;
+  double elapsed_s_ = 0.0;
   backend::SE2 odom_T_robot_;
   BodyVelocity measured_velocity_;
 

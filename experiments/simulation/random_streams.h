@@ -13,6 +13,7 @@ enum RandomStream : std::uint32_t {
   kSlipStream = 0x51d00003,      // a: step
   kBumpStream = 0x51d00004,      // a: step
   kBiasStream = 0x51d00005,
+  kCrowdStream = 0x51d00006,  // a: step, b: walker
 };
 
 }  // namespace gmapping_spa::simulation

@@ -52,27 +52,35 @@ Scene Scene::Read(const std::string& world_path, const std::string& obstacles_pa
   return World(std::move(raster));
 }
 
+template <typename Use>
+void Scene::ForEachWalker(double time_s, const Use& use) const {
+  if (pedestrian) use(pedestrian->At(time_s), "the pedestrian");
+  for (const Walk& walk : crowd) {
+    if (const std::optional<Rectangle> walker = walk.At(time_s)) use(*walker, "a walker");
+  }
+}
+
 std::optional<double> Scene::CastRay(const Eigen::Vector2d& world_origin, double world_angle_rad,
                                      double max_range_m, double time_s) const {
-  if (pedestrian) {
-    const std::optional<double> range_m =
-        pedestrian->At(time_s).CastRay(world_origin, world_angle_rad);
-    if (range_m && *range_m <= max_range_m) {
-      const std::optional<double> nearer_m = world.CastRay(world_origin, world_angle_rad, *range_m);
-      return nearer_m ? nearer_m : range_m;
-    }
-  }
-  return world.CastRay(world_origin, world_angle_rad, max_range_m);
+  std::optional<double> walker_m;
+  double nearest_m = max_range_m;
+  ForEachWalker(time_s, [&](const Rectangle& walker, const char* /*what*/) {
+    const std::optional<double> range_m = walker.CastRay(world_origin, world_angle_rad);
+    if (range_m && *range_m <= nearest_m) walker_m = nearest_m = *range_m;
+  });
+  const std::optional<double> wall_m = world.CastRay(world_origin, world_angle_rad, nearest_m);
+  return wall_m ? wall_m : walker_m;
 }
 
 std::optional<Contact> Scene::FindContact(const Eigen::Vector2d& world_center, double radius_m,
                                           double time_s) const {
   if (const auto point = world.FindContact(world_center, radius_m)) return {{*point, "a wall"}};
-  if (pedestrian) {
-    const Eigen::Vector2d point = pedestrian->At(time_s).Nearest(world_center);
-    if ((point - world_center).norm() < radius_m) return {{point, "the pedestrian"}};
-  }
-  return std::nullopt;
+  std::optional<Contact> contact;
+  ForEachWalker(time_s, [&](const Rectangle& walker, const char* what) {
+    const Eigen::Vector2d point = walker.Nearest(world_center);
+    if (!contact && (point - world_center).norm() < radius_m) contact = {point, what};
+  });
+  return contact;
 }
 
 }  // namespace gmapping_spa::simulation

@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "experiments/simulation/crowd.h"
 #include "experiments/simulation/pedestrian.h"
 #include "experiments/simulation/world.h"
 
@@ -22,6 +24,7 @@ struct Contact {
 struct Scene {
   World world;
   std::optional<Pedestrian> pedestrian;
+  std::vector<Walk> crowd;
 
   Scene(World w, std::optional<Pedestrian> p = std::nullopt)  // NOLINT: a world is a scene
       : world(std::move(w)), pedestrian(std::move(p)) {}
@@ -39,6 +42,11 @@ struct Scene {
                                 double max_range_m, double time_s) const;
   std::optional<Contact> FindContact(const Eigen::Vector2d& world_center, double radius_m,
                                      double time_s) const;
+
+ private:
+  // Calls `use(rectangle, what)` with all who walk, where they are.
+  template <typename Use>
+  void ForEachWalker(double time_s, const Use& use) const;
 };
 
 }  // namespace gmapping_spa::simulation

@@ -1,5 +1,6 @@
 #include "experiments/simulation/simulation.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -8,11 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "experiments/simulation/crowd.h"
+#include "experiments/simulation/robot_motion.h"
+
 namespace gmapping_spa::simulation {
 namespace {
 
 // A step is half a turn of the laser: what Sweep relies on.
-constexpr std::int64_t kStepsPerScan = 2;
+constexpr std::size_t kStepsPerScan = 2;
 
 std::string Describe(const Eigen::Vector2d& point) {
   std::array<char, 64> text;
@@ -30,65 +34,65 @@ void CheckFree(const Scene& scene, const backend::SE2& world_T_robot, double rad
                            " at " + Describe(contact->world_point));
 }
 
-// Much more time than any tour needs: driven at a tenth of the speed, with a full turn at each way
-// point.
-double TimeLimit(const WayPoints& way_points, const WayPointFollowerOptions& options) {
-  double limit_s = 0.0;
-  for (std::size_t i = 1; i < way_points.size(); ++i) {
-    limit_s += 10.0 * (way_points[i] - way_points[i - 1]).norm() / options.max_speed_m_s + 10.0 +
-               2.0 * std::numbers::pi / options.max_turn_rate_rad_s;
-  }
-  return limit_s;
+bool Within(const std::vector<TimeSpan>& spans, double time_s) {
+  return std::any_of(spans.begin(), spans.end(), [&](const TimeSpan& span) {
+    return time_s >= span.begin_s && time_s < span.end_s;
+  });
 }
 
-double Rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }
-
 OdometryReading ReadingOf(const Odometry& odometry, double stamp_s) {
-  const auto rounded = [](double value) { return Rounded(value, 1e6); };
-  const backend::SE2& pose = odometry.odom_T_robot();
   const BodyVelocity& velocity = odometry.measured_velocity();
-  return {rounded(stamp_s),
-          {rounded(pose.x), rounded(pose.y), rounded(pose.theta)},
-          {rounded(velocity.linear_m_s), rounded(velocity.angular_rad_s)}};
+  return {LoggedNumber(stamp_s),
+          LoggedPose(odometry.odom_T_robot()),
+          {LoggedNumber(velocity.linear_m_s), LoggedNumber(velocity.angular_rad_s)}};
+}
+
+std::vector<double> RangesAt(const Scene& scene, const MotionStep& step, std::uint32_t scan,
+                             const SimulationOptions& options) {
+  if (Within(options.covered, step.time_s)) {
+    return std::vector<double>(options.lidar.beams,
+                               std::min(options.covered_range_m, options.lidar.max_range_m));
+  }
+  std::vector<double> ranges_m =
+      Scan(scene, {step.time_s, step.world_T_robot, step.before, step.after}, options.lidar,
+           options.seed, scan);
+  for (double& range_m : ranges_m) range_m = std::round(range_m * 1e3) / 1e3;
+  return ranges_m;
 }
 
 }  // namespace
 
-SimulationSummary Simulate(const Scene& scene, const WayPoints& way_points,
+SimulationSummary Simulate(const Scene& world_scene, const WayPoints& way_points,
                            const SimulationOptions& options, LogSink* sink) {
-  const double step_s = 1.0 / (options.lidar.rate_hz * kStepsPerScan);
-  const double limit_s = TimeLimit(way_points, options.follower);
-  WayPointFollower follower(way_points, options.follower);
-  Odometry odometry(options.odometry, options.seed);
+  std::vector<WayPoints> tours = {way_points};
+  tours.insert(tours.end(), options.carried_to.begin(), options.carried_to.end());
+  const double steps_per_s = options.lidar.rate_hz * static_cast<double>(kStepsPerScan);
+  const std::vector<MotionStep> motion =
+      DriveTours(tours, options.follower, steps_per_s, options.carry_s);
+  Scene scene = world_scene;
+  scene.crowd =
+      WalkAbout(scene.world, motion, options.robot_radius_m, options.walkers, options.seed);
 
+  Odometry odometry(options.odometry, options.seed);
   SimulationSummary summary;
-  backend::SE2 world_T_robot = follower.Start();
-  BodyVelocity velocity;
-  for (std::int64_t step = 0; !follower.Done(); ++step) {
-    // Not a sum of steps: stamps must not drift.
-    const double time_s =
-        static_cast<double>(step) / (options.lidar.rate_hz * static_cast<double>(kStepsPerScan));
-    if (time_s > limit_s) {
-      throw std::runtime_error("tour: expected to reach every way point, found the robot at " +
-                               Describe(world_T_robot.translation()) + " after " +
-                               std::to_string(limit_s) + " s");
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    const MotionStep& step = motion[i];
+    if (!step.carried) {
+      CheckFree(scene, step.world_T_robot, options.robot_radius_m, step.time_s);
     }
-    CheckFree(scene, world_T_robot, options.robot_radius_m, time_s);
-    const BodyVelocity next_velocity = follower.Next(world_T_robot, step_s);
-    const OdometryReading reading = ReadingOf(odometry, time_s);
+    const OdometryReading reading = ReadingOf(odometry, step.time_s);
     sink->OnOdometry(reading);
-    if (step % kStepsPerScan == 0) {
-      std::vector<double> ranges_m =
-          Scan(scene, {time_s, world_T_robot, velocity, next_velocity}, options.lidar, options.seed,
-               static_cast<std::uint32_t>(step / kStepsPerScan));
-      for (double& range_m : ranges_m) range_m = Rounded(range_m, 1e3);
-      sink->OnScan(reading, options.lidar, ranges_m);
-      summary.world_T_robot.push_back({reading.stamp_s, world_T_robot});
+    const bool scans = !step.carried && !Within(options.without_scan, step.time_s);
+    if (scans && i % kStepsPerScan == 0) {
+      const auto scan = static_cast<std::uint32_t>(i / kStepsPerScan);
+      sink->OnScan(reading, options.lidar, RangesAt(scene, step, scan, options));
+      summary.world_T_robot.push_back({reading.stamp_s, step.world_T_robot});
     }
-    velocity = next_velocity;
-    world_T_robot = Drive(world_T_robot, velocity, step_s);
-    odometry.Advance(velocity, step_s);
-    summary.path_length_m += std::abs(velocity.linear_m_s) * step_s;
+    odometry.Advance(step.after, 1.0 / steps_per_s);
+    summary.path_length_m += std::abs(step.after.linear_m_s) / steps_per_s;
+  }
+  if (summary.world_T_robot.empty()) {
+    throw std::runtime_error("tour: expected a scan, found none at any time that is left for them");
   }
   summary.odom_T_robot = odometry.odom_T_robot();
   summary.slips = odometry.slips();

@@ -3,6 +3,7 @@
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_SIMULATION_H_
 
 #include <cstdint>
+#include <vector>
 
 #include "backend/trajectory_io.h"
 #include "experiments/simulation/lidar.h"
@@ -13,12 +14,28 @@
 
 namespace gmapping_spa::simulation {
 
+// From `begin_s` on, before `end_s`.
+struct TimeSpan {
+  double begin_s = 0.0, end_s = 0.0;
+};
+
 struct SimulationOptions {
   std::uint64_t seed = 1;
   double robot_radius_m = 0.5;
   WayPointFollowerOptions follower;
   LidarOptions lidar;
   OdometryOptions odometry;
+
+  // Tours that follow, each from where the robot is carried to from the end of the one before. The
+  // wheels stand still and no scans are taken meanwhile.
+  std::vector<WayPoints> carried_to;
+  double carry_s = 3.0;  // how long that takes
+
+  std::vector<TimeSpan> covered;       // something lies on the laser
+  double covered_range_m = 0.0;        // what all beams read then
+  std::vector<TimeSpan> without_scan;  // no scans are taken
+
+  int walkers = 0;  // people about the robot: see crowd.h
 };
 
 struct SimulationSummary {
@@ -30,7 +47,8 @@ struct SimulationSummary {
 
 // Drives the tour and hands the readings to `sink`: two of odometry a scan, as robots commonly
 // have, from time 0 on. The same arguments give the same readings. Throws std::runtime_error with
-// one line when the robot would touch something (it is checked at each reading) or does not arrive.
+// one line when the robot would touch something (it is checked at each reading), does not arrive,
+// or no scan is taken.
 SimulationSummary Simulate(const Scene& scene, const WayPoints& way_points,
                            const SimulationOptions& options, LogSink* sink);
 

@@ -16,6 +16,10 @@ constexpr double kTurnOnTheSpotRad = std::numbers::pi / 3.0;
 constexpr double kHeadingGainPerS = 2.5;
 // Slow enough to pass any corner, fast enough to arrive.
 constexpr double kCreepM_S = 0.15;
+// So little of a turn is not worth another step.
+constexpr double kTurnedRad = 1e-3;
+// Front and back swapped.
+constexpr backend::SE2 kAboutTurn{0.0, 0.0, std::numbers::pi};
 
 double Direction(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   return std::atan2(to.y() - from.y(), to.x() - from.x());
@@ -23,15 +27,25 @@ double Direction(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
 
 }  // namespace
 
-WayPoints ReadWayPoints(const std::string& path) {
+std::vector<WayPoints> ReadTours(const std::string& path) {
   const map::YamlFile yaml(path);
-  yaml.AllowOnly({"way_points"});
-  return ReadWayPoints(yaml, "way_points");
+  yaml.AllowOnly({"way_points", "carried_to"});
+  std::vector<WayPoints> tours = {ReadWayPoints(yaml, "way_points")};
+  if (!yaml.Has("carried_to")) return tours;
+  for (const YAML::Node& tour : yaml.Items("carried_to"))
+    tours.push_back(ReadWayPoints(yaml, tour));
+  return tours;
 }
 
 WayPoints ReadWayPoints(const map::YamlFile& yaml, const std::string& key) {
+  yaml.Items(key);  // a list, or the error names the key
+  return ReadWayPoints(yaml, yaml.Get(key));
+}
+
+WayPoints ReadWayPoints(const map::YamlFile& yaml, const YAML::Node& list) {
+  if (!list.IsSequence()) yaml.Fail(list, "expected a list of way points [x, y]");
   WayPoints way_points;
-  for (const YAML::Node& item : yaml.Items(key)) {
+  for (const YAML::Node& item : list) {
     const std::vector<double> point = yaml.Numbers(item, 2, "a way point [x, y]");
     way_points.emplace_back(point[0], point[1]);
     if (way_points.size() > 1 && way_points.back() == *std::prev(way_points.end(), 2)) {
@@ -39,14 +53,15 @@ WayPoints ReadWayPoints(const map::YamlFile& yaml, const std::string& key) {
     }
   }
   if (way_points.size() < 2) {
-    yaml.Fail(yaml.Get(key),
-              "expected two or more way points, found " + std::to_string(way_points.size()));
+    yaml.Fail(list, "expected two or more way points, found " + std::to_string(way_points.size()));
   }
   return way_points;
 }
 
 backend::SE2 WayPointFollower::Start() const {
-  return {way_points_[0].x(), way_points_[0].y(), Direction(way_points_[0], way_points_[1])};
+  const backend::SE2 start{way_points_[0].x(), way_points_[0].y(),
+                           Direction(way_points_[0], way_points_[1])};
+  return options_.reverse ? start * kAboutTurn : start;
 }
 
 bool WayPointFollower::Reached(const Eigen::Vector2d& world_position) const {
@@ -62,7 +77,7 @@ double WayPointFollower::SpeedLimit(double error_rad) const {
 }
 
 double WayPointFollower::CornerSpeed() const {
-  if (target_ + 1 == way_points_.size()) return kCreepM_S;
+  if (target_ + 1 == way_points_.size() || options_.turns_at_way_points != 0.0) return kCreepM_S;
   const double before = Direction(way_points_[target_ - 1], way_points_[target_]);
   const double after = Direction(way_points_[target_], way_points_[target_ + 1]);
   const double corner_rad = std::abs(backend::WrapAngle(after - before));
@@ -70,9 +85,20 @@ double WayPointFollower::CornerSpeed() const {
 }
 
 BodyVelocity WayPointFollower::Next(const backend::SE2& world_T_robot, double duration_s) {
+  if (!options_.reverse) return velocity_ = NextForwards(world_T_robot, duration_s);
+  velocity_ = NextForwards(world_T_robot * kAboutTurn, duration_s);
+  return {-velocity_.linear_m_s, velocity_.angular_rad_s};
+}
+
+BodyVelocity WayPointFollower::NextForwards(const backend::SE2& world_T_robot, double duration_s) {
+  if (turn_left_rad_ != 0.0) return Turn(duration_s);
   const Eigen::Vector2d position = world_T_robot.translation();
-  while (!Done() && Reached(position)) ++target_;
-  if (Done()) return velocity_ = {};
+  while (!Done() && Reached(position)) {
+    ++target_;
+    turn_left_rad_ = 2.0 * std::numbers::pi * options_.turns_at_way_points;
+    if (turn_left_rad_ != 0.0) return Turn(duration_s);
+  }
+  if (Done()) return {};
 
   const Eigen::Vector2d& from = way_points_[target_ - 1];
   const Eigen::Vector2d& to = way_points_[target_];
@@ -89,14 +115,30 @@ BodyVelocity WayPointFollower::Next(const backend::SE2& world_T_robot, double du
       std::sqrt(corner_m_s * corner_m_s + 2.0 * options_.max_acceleration_m_s2 * braking_m));
   const double turn_rate_rad_s = std::clamp(
       kHeadingGainPerS * error_rad, -options_.max_turn_rate_rad_s, options_.max_turn_rate_rad_s);
+  return Toward({speed_m_s, turn_rate_rad_s}, duration_s);
+}
 
+BodyVelocity WayPointFollower::Turn(double duration_s) {
+  // Slows down so that it can stop at the end, and does the last bit in one step.
+  const double rate_rad_s = std::min(
+      {options_.max_turn_rate_rad_s,
+       std::sqrt(2.0 * options_.max_angular_acceleration_rad_s2 * std::abs(turn_left_rad_)),
+       std::abs(turn_left_rad_) / duration_s});
+  const BodyVelocity velocity =
+      Toward({0.0, std::copysign(rate_rad_s, turn_left_rad_)}, duration_s);
+  const double left_rad = turn_left_rad_ - velocity.angular_rad_s * duration_s;
+  const bool done = left_rad * turn_left_rad_ <= 0.0 || std::abs(left_rad) < kTurnedRad;
+  turn_left_rad_ = done ? 0.0 : left_rad;
+  return velocity;
+}
+
+BodyVelocity WayPointFollower::Toward(const BodyVelocity& wanted, double duration_s) const {
   const double speed_change = options_.max_acceleration_m_s2 * duration_s;
   const double turn_rate_change = options_.max_angular_acceleration_rad_s2 * duration_s;
-  velocity_.linear_m_s = std::clamp(speed_m_s, velocity_.linear_m_s - speed_change,
-                                    velocity_.linear_m_s + speed_change);
-  velocity_.angular_rad_s = std::clamp(turn_rate_rad_s, velocity_.angular_rad_s - turn_rate_change,
-                                       velocity_.angular_rad_s + turn_rate_change);
-  return velocity_;
+  return {std::clamp(wanted.linear_m_s, velocity_.linear_m_s - speed_change,
+                     velocity_.linear_m_s + speed_change),
+          std::clamp(wanted.angular_rad_s, velocity_.angular_rad_s - turn_rate_change,
+                     velocity_.angular_rad_s + turn_rate_change)};
 }
 
 }  // namespace gmapping_spa::simulation

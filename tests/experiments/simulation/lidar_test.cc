@@ -1,5 +1,6 @@
 #include "experiments/simulation/lidar.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,8 @@ namespace gmapping_spa::simulation {
 namespace {
 
 using map::CellState;
+using testing::DoubleNear;
+using testing::ElementsAre;
 
 LidarOptions OneDegreeBeams() {
   LidarOptions options;
@@ -40,6 +43,47 @@ TEST(Lidar, BeamsGoRoundFromBehindInTheLaserFrame) {
   EXPECT_NEAR(ranges_m[1], 4.9, 1e-9);
   EXPECT_NEAR(ranges_m[2], 3.9, 1e-9);
   EXPECT_NEAR(ranges_m[3], 2.9, 1e-9);
+}
+
+TEST(Lidar, APartialFieldOfViewHasABeamAtEachEnd) {
+  LidarOptions options;
+  options.range_noise_m = 0.0;
+  options.beams = 3;
+  options.fov_rad = std::numbers::pi;
+  EXPECT_DOUBLE_EQ(options.start_angle_rad(), -std::numbers::pi / 2.0);
+  EXPECT_DOUBLE_EQ(options.angular_resolution_rad(), std::numbers::pi / 2.0);
+  // Facing up: right, front and left.
+  const Sweep sweep{0.0, {3.0, 2.0, std::numbers::pi / 2.0}, {}, {}};
+  EXPECT_THAT(Scan(Room(), sweep, options, 1, 0),
+              ElementsAre(DoubleNear(4.9, 1e-9), DoubleNear(3.9, 1e-9), DoubleNear(2.9, 1e-9)));
+  // A field of view round the left side: front, left and back.
+  options.fov_center_rad = std::numbers::pi / 2.0;
+  EXPECT_THAT(Scan(Room(), sweep, options, 1, 0),
+              ElementsAre(DoubleNear(3.9, 1e-9), DoubleNear(2.9, 1e-9), DoubleNear(1.9, 1e-9)));
+}
+
+TEST(Lidar, SeesFromWhereItIsMounted) {
+  LidarOptions options;
+  options.range_noise_m = 0.0;
+  options.beams = 4;
+  // Half a metre before the robot's middle, and looking to the rear.
+  options.robot_T_laser = {0.5, 0.0, std::numbers::pi};
+  const Sweep sweep{0.0, {3.0, 2.0, 0.0}, {}, {}};
+  EXPECT_THAT(Scan(Room(), sweep, options, 1, 0),
+              ElementsAre(DoubleNear(4.4, 1e-9), DoubleNear(3.9, 1e-9), DoubleNear(3.4, 1e-9),
+                          DoubleNear(1.9, 1e-9)));
+}
+
+TEST(Lidar, IsCarriedRoundByTheTurningRobot) {
+  LidarOptions options;
+  options.range_noise_m = 0.0;
+  options.beams = 4;
+  options.motion_during_scan = true;
+  options.robot_T_laser = {0.5, 0.0, 0.0};
+  // A quarter turn in half a turn of the laser: the first beam, to the rear of a laser that is at
+  // (3, 1.5) and faces down, goes up to the wall at y = 5.9.
+  const Sweep sweep{0.0, {3.0, 2.0, 0.0}, {0.0, std::numbers::pi / 2.0 / 0.05}, {}};
+  EXPECT_NEAR(Scan(Room(), sweep, options, 1, 0)[0], 4.4, 1e-9);
 }
 
 TEST(Lidar, NoiseIsNormalWithTheGivenDeviation) {

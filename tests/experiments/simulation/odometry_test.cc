@@ -177,5 +177,47 @@ TEST(Odometry, StandingStillIsNotDisturbed) {
   EXPECT_EQ(DriveFor(options, 1, {0.0, 0.0}, 100), backend::SE2());
 }
 
+TEST(Odometry, SilentWheelsReportNothing) {
+  OdometryOptions options;
+  options.silent = true;
+  Odometry odometry(options, 1);
+  for (int i = 0; i < 200; ++i) odometry.Advance({1.0, 0.5}, 0.05);
+  EXPECT_EQ(odometry.odom_T_robot(), backend::SE2());
+  EXPECT_EQ(odometry.measured_velocity().linear_m_s, 0.0);
+  EXPECT_EQ(odometry.bumps() + odometry.slips(), 0);
+}
+
+TEST(Odometry, AKnockMovesAsWellAsTurns) {
+  OdometryOptions options;
+  options.noise = options.wheel_scale_deviation = options.wheel_ratio_deviation = 0.0;
+  options.slips_per_m = 0.0;
+  options.bumps_per_m = 0.5;
+  options.bump_deviation_rad = 0.0;
+  options.bump_deviation_m = 0.4;
+  Odometry odometry(options, 1);
+  double sum_squares = 0.0, last_x_m = 0.0;
+  for (int i = 0; i < 40000; ++i) {
+    odometry.Advance({1.0, 0.0}, 0.05);
+    const double jump_m = odometry.odom_T_robot().x - last_x_m - 0.05;
+    last_x_m = odometry.odom_T_robot().x;
+    sum_squares += jump_m * jump_m;
+  }
+  EXPECT_EQ(odometry.odom_T_robot().y, 0.0);
+  const double variance = sum_squares / odometry.bumps();
+  EXPECT_NEAR(variance, 0.16, 5.0 * 0.16 * std::sqrt(2.0 / odometry.bumps()));
+}
+
+TEST(Odometry, NeitherSlipsNorBumpsWhileItIsCalm) {
+  OdometryOptions options;
+  options.slips_per_m = options.bumps_per_m = 100.0;
+  options.calm_s = 10.0;
+  Odometry odometry(options, 1);
+  for (int i = 0; i < 199; ++i) odometry.Advance({1.0, 0.0}, 0.05);
+  EXPECT_EQ(odometry.slips() + odometry.bumps(), 0);
+  for (int i = 0; i < 20; ++i) odometry.Advance({1.0, 0.0}, 0.05);
+  EXPECT_GT(odometry.slips(), 5);
+  EXPECT_GT(odometry.bumps(), 5);
+}
+
 }  // namespace
 }  // namespace gmapping_spa::simulation

@@ -44,7 +44,7 @@ std::string InWorlds(const std::string& file) { return std::string(WORLDS_FOLDER
 
 SimulationSummary Drive(const Scene& scene, const char* path, const SimulationOptions& options) {
   ScanPlayer nowhere([](const sensor::LaserScan& /*scan*/) {});
-  return Simulate(scene, ReadWayPoints(InWorlds(path)), options, &nowhere);
+  return Simulate(scene, ReadTours(InWorlds(path)).front(), options, &nowhere);
 }
 
 SimulationOptions OneBeam() {

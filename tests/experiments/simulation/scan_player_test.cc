@@ -32,6 +32,10 @@ SimulationOptions Options() {
   options.lidar.beams = 77;
   options.lidar.max_range_m = 4.0;
   options.lidar.motion_during_scan = true;
+  options.lidar.fov_rad = 4.0;
+  options.lidar.fov_center_rad = 0.3;
+  options.lidar.robot_T_laser = {-0.2, 0.1, 3.0};
+  options.without_scan = {{2.0, 3.0}};
   options.odometry.noise = 5.0;
   return options;
 }
