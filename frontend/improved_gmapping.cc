@@ -15,16 +15,18 @@ ImprovedGmapping::ImprovedGmapping(const Options& options,
                                    backend::OptimizationThread::OptimizeFunction optimize)
     : options_(options),
       filter_(options.filter, std::move(matcher)),
-      odometry_check_({}),
-      scan_odometry_(options.scan_odometry),
+      control_(options.control, &health_),
       loop_closer_(options.loop_closer),
       graph_thread_(options.graph_thread, std::move(optimize)),
       area_(options.filter.grid.resolution_m) {}
 
 void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
   // Step 1: the control input.
-  const SE2 u = ControlInput(scan);
+  const ScanMotion motion = control_.Advance(scan);
+  const SE2& u = motion.motion;
+  counts_.searched += motion.searched ? 1 : 0;
   odom_T_scan_ = odom_T_scan_ * u;
+  area_.Extend(scan, odom_T_scan_);
   archive_.Add(scan);
   ++counts_.scans;
 
@@ -33,9 +35,9 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
 
   const bool is_update = UpdateIsDue(u);
   // In units of what triggers an update; the 1e-9 spreads by number of scans if nothing moved.
-  const double motion = u.translation().norm() / std::max(options_.linear_update_m, 1e-3) +
+  const double amount = u.translation().norm() / std::max(options_.linear_update_m, 1e-3) +
                         std::abs(u.theta) / std::max(options_.angular_update_rad, 1e-3) + 1e-9;
-  scan_poses_.Add(scan, odom_T_scan_, motion, is_update);
+  scan_poses_.Add(scan, odom_T_scan_, amount, is_update);
   if (!is_update) return;
 
   // Steps 2 to 5 and 7 to 10: scan matching, sampling, weights, maps and resampling.
@@ -44,18 +46,6 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
   // Step 3': the pose graph with its closed-loop constraints goes to the graph thread.
   if (options_.close_loops) CloseLoops();
   StartOptimization();
-}
-
-// The motion since the scan before: by the wheels, or as the scans fit each other.
-SE2 ImprovedGmapping::ControlInput(const sensor::LaserScan& scan) {
-  const sensor::OdometryCheck::Step wheels = odometry_check_.Advance(scan);
-  area_.Extend(scan, odom_T_scan_ * wheels.motion);
-  if (!options_.scan_matched_odometry) return wheels.motion;
-  const ScanMotion motion = scan_odometry_.Advance(scan, wheels);
-  counts_.searched += motion.searched ? 1 : 0;
-  counts_.wheels_rejected += motion.wheels_rejected ? 1 : 0;
-  counts_.ambiguous += motion.alternatives.empty() ? 0 : 1;
-  return motion.motion;
 }
 
 bool ImprovedGmapping::UpdateIsDue(const SE2& u) {

@@ -8,17 +8,17 @@
 
 #include "backend/optimization_thread.h"
 #include "backend/pose_graph_sink.h"
+#include "frontend/control_input.h"
 #include "frontend/estimate.h"
 #include "frontend/final_round.h"
 #include "frontend/graph_thread.h"
+#include "frontend/health.h"
 #include "frontend/loop_closure/loop_closer.h"
 #include "frontend/map_area.h"
 #include "frontend/particle_filter/particle_filter.h"
 #include "frontend/scan_matching/scan_matcher.h"
-#include "frontend/scan_odometry.h"
 #include "frontend/scan_poses.h"
 #include "frontend/sensor/laser_scan.h"
-#include "frontend/sensor/odometry_check.h"
 #include "frontend/sensor/scan_archive.h"
 
 namespace gmapping_spa::frontend {
@@ -42,9 +42,7 @@ class ImprovedGmapping {
     double linear_update_m = 1.0;
     double angular_update_rad = 0.5;
     particle_filter::ParticleFilter::Options filter;
-    // The filter's control input: every scan matched with the last ones, or the wheels' odometry.
-    bool scan_matched_odometry = true;
-    ScanOdometry::Options scan_odometry;
+    ControlInput::Options control;
     bool close_loops = true;
     loop_closure::LoopCloser::Options loop_closer;
     // The back end runs each time that this many new poses came in, and after a loop closure.
@@ -62,9 +60,7 @@ class ImprovedGmapping {
     std::int64_t resamplings = 0;
     std::int64_t failed_matches = 0;  // summed over particles
     std::int64_t corrections = 0;
-    std::int64_t searched = 0;         // scans of which a window was searched
-    std::int64_t wheels_rejected = 0;  // scans that contradict the wheels
-    std::int64_t ambiguous = 0;        // scans that fit in several places
+    std::int64_t searched = 0;  // scans for which a window was searched
   };
 
   // `optimize` is the back end; it is called in a thread of its own.
@@ -89,9 +85,9 @@ class ImprovedGmapping {
   const particle_filter::ParticleFilter& filter() const { return filter_; }
   const GraphThread& graph_thread() const { return graph_thread_; }
   const loop_closure::LoopCloser& loop_closer() const { return loop_closer_; }
+  const Health& health() const { return health_; }
 
  private:
-  backend::SE2 ControlInput(const sensor::LaserScan& scan);
   bool UpdateIsDue(const backend::SE2& u);
   void TakeOver(const backend::PoseGraph& optimized);
   void UpdateFilter(const sensor::LaserScan& scan);
@@ -103,8 +99,8 @@ class ImprovedGmapping {
 
   Options options_;
   particle_filter::ParticleFilter filter_;
-  sensor::OdometryCheck odometry_check_;
-  ScanOdometry scan_odometry_;
+  Health health_;
+  ControlInput control_;
   loop_closure::LoopCloser loop_closer_;
   GraphThread graph_thread_;
   MapArea area_;

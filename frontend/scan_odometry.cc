@@ -49,6 +49,11 @@ constexpr Window kWindows[] = {{0.3, 0.4}, {0.75, 1.2}, {1.5, 3.14159}};
 
 constexpr int kSilentScans = 3;
 
+// More than what scan matching is off by.
+bool Moves(const SE2& motion) {
+  return motion.translation().norm() > 0.02 || std::abs(motion.theta) > 0.01;
+}
+
 bool IsSame(const SE2& a, const SE2& b) {
   const SE2 off = Between(a, b);
   return off.translation().norm() < kSame_m && std::abs(off.theta) < kSame_rad;
@@ -100,16 +105,15 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
     }
   }
   const Match& best = matches.front();
-  if (getenv("DBG") && (matches.size() > 1 || atoi(getenv("DBG")) > 1)) {
-    fprintf(stderr, "t %.3f dt %.3f fault %d usual %.3f wheels %.3f %.3f %.3f cv %.3f %.3f %.3f silent %d\n", scan.stamp_s, duration_s, (int)wheels.fault, usual_fit_, wheels.motion.x, wheels.motion.y, wheels.motion.theta, prior.hypotheses().back().motion.x, prior.hypotheses().back().motion.y, prior.hypotheses().back().motion.theta, silent_scans_);
-    for (const Match& m : matches) { SE2 d = Between(before, m.odom_T_robot); fprintf(stderr, "   %.3f %.3f %.3f  post %.2f prior %.2f fit %.3f known %.0f unk %.0f\n", d.x, d.y, d.theta, m.log_posterior, prior.LogDensity(d), m.evidence.Fit(), m.evidence.known(), m.evidence.unknown); }
-  }
-  if (getenv("DBG") && atoi(getenv("DBG")) > 2) { scan_matching::EndpointModel mm(options_.endpoint, &map_.grid(), &points_); for (int i = -10; i <= 25; ++i) { SE2 q = before; q.x += 0.02*i; auto e = mm.Evaluate(q); auto a = matcher_.Align(map_.grid(), points_, q, Eigen::Matrix3d(Eigen::Vector3d(1e6,1e6,1e6).asDiagonal())); fprintf(stderr, "  x %.3f (%.2f) exp %.1f known %.0f unk %.0f ll %.1f infoxx %.0f inl %.1f\n", q.x, 0.02*i, e.explained, e.known(), e.unknown, mm.LogLikelihood(q), a.world_information(0,0), a.inliers); } }
   Learn(best, prior, wheels, duration_s);
   odom_T_robot_ = best.odom_T_robot;
   result.motion = Between(before, odom_T_robot_);
   result.wheels_rejected =
       prior.hypotheses().front().SquaredDistance(result.motion) > kAgrees;
+  result.wheels_silent = wheels.fault == OdometryFault::kUnchanged &&
+                         prior.hypotheses().size() == 1 && Moves(result.motion);
+  const double fit_nats = Nats(best, best.evidence.unknown);
+  result.matched = fit_nats > -kGarbage_nats;
   double sum = 0.0;
   for (const Match& match : matches) {
     const double nats = match.log_posterior - best.log_posterior;
@@ -196,20 +200,22 @@ bool ScanOdometry::IsConvincing(const Match& match, const MotionPrior& prior) co
          prior.hypotheses().back().SquaredDistance(motion) < kAgrees;
 }
 
-// Sorts by the posterior and leaves out what is the same. A beam says so many nats for a pose as it
-// fits better than usual; in unseen space, none.
+// A beam says so many nats for a pose as it fits better than usual; in unseen space, none.
+double ScanOdometry::Nats(const Match& match, double least_unknown) const {
+  const scan_matching::Evidence& e = match.evidence;
+  const double free_unknown = least_unknown + kFreeUnknown * static_cast<double>(points_.size());
+  const double unexpected = std::max(e.unknown - free_unknown, 0.0);
+  return kNatsPerBeam * (e.explained - usual_fit_ * (e.known() + unexpected));
+}
+
+// Sorts by the posterior and leaves out what is the same.
 void ScanOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) const {
   double least_unknown = 1e9;
   for (const Match& match : *matches) {
     least_unknown = std::min(least_unknown, match.evidence.unknown);
   }
-  const double free_unknown = least_unknown + kFreeUnknown * static_cast<double>(points_.size());
   for (Match& match : *matches) {
-    const scan_matching::Evidence& e = match.evidence;
-    const double unexpected = std::max(e.unknown - free_unknown, 0.0);
-    const double nats =
-        kNatsPerBeam * (e.explained - usual_fit_ * (e.known() + unexpected));
-    match.log_posterior = std::max(nats, -kGarbage_nats) +
+    match.log_posterior = std::max(Nats(match, least_unknown), -kGarbage_nats) +
                           prior.LogDensity(Between(odom_T_robot_, match.odom_T_robot));
   }
   std::stable_sort(matches->begin(), matches->end(), [](const Match& a, const Match& b) {

@@ -30,6 +30,7 @@ struct ScanMotion {
   std::vector<Alternative> alternatives;
   bool searched = false;         // whether the guesses did not do and a window was searched
   bool wheels_rejected = false;  // whether the motion is not what the wheels say
+  bool wheels_silent = false;    // whether the wheels stand still while the robot moves
   bool matched = true;           // whether the scan fits what was seen before
 };
 
@@ -69,6 +70,7 @@ class ScanOdometry {
   Match Track(const backend::SE2& initial, const MotionHypothesis& hypothesis) const;
   std::vector<Match> Search(const MotionPrior& prior, double window_m, double window_rad);
   bool IsConvincing(const Match& match, const MotionPrior& prior) const;
+  double Nats(const Match& match, double least_unknown) const;
   void Rank(const MotionPrior& prior, std::vector<Match>* matches) const;
   void Learn(const Match& match, const MotionPrior& prior,
              const sensor::OdometryCheck::Step& wheels, double duration_s);

@@ -30,7 +30,13 @@ DEFINE_double(resample_threshold, kSlam.filter.resample_threshold,
               "Resample when N_eff is below this part of the number of particles.");
 DEFINE_string(
     odometry, "scan_matched",
-    "The filter's control input: wheel, or scan_matched (every scan with the last ones).");
+    "Control input of the filter: wheel (the log's odometry), scan_matched (every scan is matched "
+    "with the last ones, the wheels are a part of the prior) or lidar_only (scans alone; the log's "
+    "odometry is not used).");
+DEFINE_double(max_speed_m_s, kSlam.control.check.max_speed_m_s,
+              "Highest speed of the robot, m/s. A faster step of the odometry is left out.");
+DEFINE_double(max_turn_rad_s, kSlam.control.check.max_turn_rad_s,
+              "Highest turn rate of the robot, rad/s. A faster step of the odometry is left out.");
 DEFINE_string(scan_matcher, "gauss_newton",
               "Scan matcher of the particles: hill_climbing or gauss_newton.");
 DEFINE_int32(initial_guesses, kSlam.filter.initial_guesses,
@@ -103,8 +109,14 @@ frontend::ImprovedGmapping::Options SlamOptionsFromFlags() {
   frontend::ImprovedGmapping::Options options;
   options.linear_update_m = NotNegative("linear_update_m", FLAGS_linear_update_m);
   options.angular_update_rad = NotNegative("angular_update_rad", FLAGS_angular_update_rad);
-  options.scan_matched_odometry =
-      OneOf<bool>("odometry", FLAGS_odometry, {{"wheel", false}, {"scan_matched", true}});
+  options.control.source = OneOf<frontend::OdometrySource>(
+      "odometry", FLAGS_odometry,
+      {{"wheel", frontend::OdometrySource::kWheel},
+       {"scan_matched", frontend::OdometrySource::kScanMatched},
+       {"lidar_only", frontend::OdometrySource::kLidarOnly}});
+  sensor::OdometryCheck::Options& check = options.control.check;
+  check.max_speed_m_s = InRange("max_speed_m_s", FLAGS_max_speed_m_s, 0.01, 1000.0);
+  check.max_turn_rad_s = InRange("max_turn_rad_s", FLAGS_max_turn_rad_s, 0.01, 1000.0);
   particle_filter::ParticleFilter::Options& filter = options.filter;
   filter.particles = InRange("particles", FLAGS_particles, 1, 100000);
   filter.threads = InRange("threads", FLAGS_threads, 1, 1024);
@@ -128,12 +140,14 @@ frontend::ImprovedGmapping::Options SlamOptionsFromFlags() {
           NotNegative("motion_angular_per_angular", FLAGS_motion_angular_per_angular),
       .linear_floor_m = Positive("motion_linear_floor_m", FLAGS_motion_linear_floor_m),
       .angular_floor_rad = Positive("motion_angular_floor_rad", FLAGS_motion_angular_floor_rad)};
+  options.control.scan_odometry.prior.max_speed_m_s = check.max_speed_m_s;
+  options.control.scan_odometry.prior.max_turn_rad_s = check.max_turn_rad_s;
   // All that align scans do it alike.
-  options.scan_odometry.grid = filter.grid;
-  options.scan_odometry.endpoint = filter.endpoint;
+  options.control.scan_odometry.grid = filter.grid;
+  options.control.scan_odometry.endpoint = filter.endpoint;
   options.loop_closer.verifier.grid = filter.grid;
   for (scan_matching::GaussNewton::Options* aligns :
-       {&options.scan_odometry.gauss_newton, &options.loop_closer.verifier.gauss_newton,
+       {&options.control.scan_odometry.gauss_newton, &options.loop_closer.verifier.gauss_newton,
         &options.final_round.gauss_newton, &filter.edges.gauss_newton}) {
     *aligns = GaussNewtonOptionsFromFlags();
   }

@@ -125,6 +125,7 @@ void TimeOrderedReader::FillOdometry(ScanRecord& record) {
   if (record.has_odometry) return;
   if (odometry_.empty()) {
     ++num_without_odometry_;
+    record.scan.has_odometry = false;
     return;
   }
   const double stamp_s = record.scan.stamp_s;

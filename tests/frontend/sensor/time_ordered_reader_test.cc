@@ -147,6 +147,7 @@ TEST(TimeOrderedReader, ScansOfALogWithoutOdometryAreDeliveredAndCounted) {
   const Result result = Read({ScanWithoutOdometry(1), ScanWithoutOdometry(2)});
   EXPECT_EQ(result.scans.size(), 2u);
   EXPECT_EQ(result.scans[1].scan.odom_T_robot, backend::SE2{});
+  EXPECT_FALSE(result.scans[1].scan.has_odometry);
   EXPECT_EQ(result.counts.at("scans_without_odometry"), 2);
 }
 
@@ -160,6 +161,7 @@ TEST(TimeOrderedReader, SweepInTwoRecordsIsDeliveredOnceWithItsOdometry) {
     const Result result = Read(std::move(records));
     EXPECT_THAT(result.stamps_s, ElementsAre(5, 6));
     EXPECT_THAT(result.indices, ElementsAre(0, 1));
+    EXPECT_TRUE(result.scans[0].scan.has_odometry);
     EXPECT_EQ(result.scans[0].scan.odom_T_robot, pose);
     EXPECT_EQ(result.counts.at("repeated_scans"), 1);
   }

@@ -1,0 +1,81 @@
+#include "frontend/control_input.h"
+
+#include <string>
+
+namespace gmapping_spa::frontend {
+
+using sensor::OdometryCheck;
+using sensor::OdometryFault;
+
+ControlInput::ControlInput(const Options& options, Health* health)
+    : options_(options),
+      health_(health),
+      check_(options.check),
+      scan_odometry_(options.scan_odometry) {}
+
+ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
+  OdometryCheck::Step wheels = check_.Advance(scan);
+  if (options_.source == OdometrySource::kLidarOnly) {
+    if (wheels.fault != OdometryFault::kFirst) wheels = {{}, OdometryFault::kMissing};
+  } else {
+    ReportFault(wheels, scan.stamp_s);
+  }
+  ScanMotion motion;
+  if (options_.source == OdometrySource::kWheel) {
+    motion.motion = wheels.motion;
+    return motion;
+  }
+  motion = scan_odometry_.Advance(scan, wheels);
+  ReportMatch(motion, wheels, scan.stamp_s);
+  return motion;
+}
+
+void ControlInput::ReportFault(const OdometryCheck::Step& wheels, double stamp_s) {
+  switch (wheels.fault) {
+    case OdometryFault::kImpossible:
+      health_->Report("odometry_impossible", stamp_s,
+                      "the odometry makes a step that no robot makes; it is left out");
+      break;
+    case OdometryFault::kRestart:
+      health_->Report("odometry_restart", stamp_s,
+                      "the odometry jumps back to where it began, as encoders that restart do; the "
+                      "step is left out");
+      break;
+    case OdometryFault::kRepeatedScan:
+      health_->Report("repeated_scan", stamp_s,
+                      "a scan repeats the one before bit for bit while the wheels move; it is not "
+                      "matched");
+      break;
+    case OdometryFault::kMissing:
+      health_->Report("odometry_missing", stamp_s, "no odometry; scans alone tell the motion");
+      break;
+    case OdometryFault::kNone:
+    case OdometryFault::kFirst:
+    case OdometryFault::kUnchanged:
+      break;
+  }
+}
+
+void ControlInput::ReportMatch(const ScanMotion& motion, const OdometryCheck::Step& wheels,
+                               double stamp_s) {
+  if (motion.wheels_silent) {
+    health_->Report("odometry_silent", stamp_s,
+                    "the odometry stands still while the scans show motion; it is not believed");
+  }
+  if (motion.wheels_rejected && wheels.fault == OdometryFault::kNone) {
+    health_->Report("odometry_contradicted", stamp_s,
+                    "the scan contradicts the odometry by more than it is trusted");
+  }
+  if (!motion.alternatives.empty()) {
+    health_->Report("ambiguous_scan", stamp_s,
+                    "a scan fits in " + std::to_string(motion.alternatives.size()) +
+                        " places; the particles share them out");
+    health_->Mark("ambiguous", stamp_s);
+  }
+  if (!motion.matched && wheels.fault != OdometryFault::kRepeatedScan) {
+    health_->Report("unmatched_scan", stamp_s, "a scan does not fit what was seen before");
+    health_->Mark("lost", stamp_s);
+  }
+}
+
+}  // namespace gmapping_spa::frontend

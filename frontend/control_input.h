@@ -1,0 +1,48 @@
+// The control input of the filter: how the robot moved from scan to scan.
+#ifndef GMAPPING_SPA_FRONTEND_CONTROL_INPUT_H_
+#define GMAPPING_SPA_FRONTEND_CONTROL_INPUT_H_
+
+#include <cstdint>
+
+#include "frontend/health.h"
+#include "frontend/scan_odometry.h"
+#include "frontend/sensor/laser_scan.h"
+#include "frontend/sensor/odometry_check.h"
+
+namespace gmapping_spa::frontend {
+
+enum class OdometrySource : std::uint8_t {
+  kWheel,        // the log's odometry as it is
+  kScanMatched,  // every scan matched with the last ones, the wheels a part of the prior
+  kLidarOnly     // scans alone: the log's odometry is not looked at
+};
+
+// Checks the wheels, matches the scan, and says what it noticed.
+class ControlInput {
+ public:
+  struct Options {
+    OdometrySource source = OdometrySource::kScanMatched;
+    sensor::OdometryCheck::Options check;
+    ScanOdometry::Options scan_odometry;
+  };
+
+  // `health` must outlive this.
+  ControlInput(const Options& options, Health* health);
+
+  // The motion since the scan before. Of the first scan: none.
+  ScanMotion Advance(const sensor::LaserScan& scan);
+
+ private:
+  void ReportFault(const sensor::OdometryCheck::Step& wheels, double stamp_s);
+  void ReportMatch(const ScanMotion& motion, const sensor::OdometryCheck::Step& wheels,
+                   double stamp_s);
+
+  Options options_;
+  Health* health_;
+  sensor::OdometryCheck check_;
+  ScanOdometry scan_odometry_;
+};
+
+}  // namespace gmapping_spa::frontend
+
+#endif  // GMAPPING_SPA_FRONTEND_CONTROL_INPUT_H_

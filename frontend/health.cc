@@ -1,0 +1,60 @@
+#include "frontend/health.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace gmapping_spa::frontend {
+namespace {
+
+constexpr double kMaxGapWithinStretchS = 2.0;
+
+std::string Seconds(double time_s) {
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(3) << time_s << " s";
+  return out.str();
+}
+
+}  // namespace
+
+void Health::Report(const std::string& kind, double stamp_s, const std::string& message) {
+  const auto [it, is_new] = findings_.try_emplace(kind, Finding{message, stamp_s, stamp_s, 0});
+  if (is_new) LOG(WARNING) << "at " << Seconds(stamp_s) << ": " << message;
+  ++it->second.count;
+  it->second.last_stamp_s = stamp_s;
+}
+
+void Health::Mark(const std::string& kind, double stamp_s) {
+  std::vector<Stretch>& stretches = stretches_[kind];
+  // A clock that was set back starts another stretch, too.
+  if (stretches.empty() || stamp_s >= stretches.back().end_s + kMaxGapWithinStretchS ||
+      stamp_s <= stretches.back().begin_s - kMaxGapWithinStretchS) {
+    stretches.push_back({stamp_s, stamp_s});
+    return;
+  }
+  Stretch& last = stretches.back();
+  last.begin_s = std::min(last.begin_s, stamp_s);
+  last.end_s = std::max(last.end_s, stamp_s);
+}
+
+void Health::LogSummary() const {
+  for (const auto& [kind, finding] : findings_) {
+    if (finding.count < 2) continue;
+    LOG(WARNING) << kind << ": " << finding.count << " times from "
+                 << Seconds(finding.first_stamp_s) << " to " << Seconds(finding.last_stamp_s)
+                 << "; the first: " << finding.message;
+  }
+  for (const auto& [kind, stretches] : stretches_) {
+    double total_s = 0.0;
+    for (const Stretch& stretch : stretches) total_s += stretch.end_s - stretch.begin_s;
+    LOG(WARNING) << kind << ": " << stretches.size()
+                 << (stretches.size() == 1 ? " stretch" : " stretches") << " of "
+                 << Seconds(total_s) << " in all; the first from "
+                 << Seconds(stretches.front().begin_s) << " to "
+                 << Seconds(stretches.front().end_s);
+  }
+}
+
+}  // namespace gmapping_spa::frontend
