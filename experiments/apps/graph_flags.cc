@@ -86,7 +86,9 @@ void AddGraphOptions(ImprovedGmapping::Options* options) {
       OneOf<EdgeModel::Measurement>("edge_measurement", FLAGS_edge_measurement,
                                     {{"scan_odometry", EdgeModel::Measurement::kControl},
                                      {"particle", EdgeModel::Measurement::kParticle}});
-  if (!options->control.source != frontend::OdometrySource::kWheel) edges.measurement = EdgeModel::Measurement::kParticle;
+  if (options->control.source == frontend::OdometrySource::kWheel) {
+    edges.measurement = EdgeModel::Measurement::kParticle;
+  }
   edges.information =
       OneOf<EdgeModel::Information>("edge_information", FLAGS_edge_information,
                                     {{"proposal", EdgeModel::Information::kProposal},
