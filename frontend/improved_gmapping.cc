@@ -15,6 +15,7 @@ ImprovedGmapping::ImprovedGmapping(const Options& options,
                                    backend::OptimizationThread::OptimizeFunction optimize)
     : options_(options),
       filter_(options.filter, std::move(matcher)),
+      odometry_check_({}),
       scan_odometry_(options.scan_odometry),
       loop_closer_(options.loop_closer),
       graph_thread_(options.graph_thread, std::move(optimize)),
@@ -47,11 +48,14 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
 
 // The motion since the scan before: by the wheels, or as the scans fit each other.
 SE2 ImprovedGmapping::ControlInput(const sensor::LaserScan& scan) {
-  const bool first = counts_.scans == 0;
-  const SE2 wheels = first ? SE2{} : Between(wheels_T_last_scan_, scan.odom_T_robot);
-  wheels_T_last_scan_ = scan.odom_T_robot;
-  area_.Extend(scan, odom_T_scan_ * wheels);
-  return options_.scan_matched_odometry ? scan_odometry_.Advance(scan, wheels) : wheels;
+  const sensor::OdometryCheck::Step wheels = odometry_check_.Advance(scan);
+  area_.Extend(scan, odom_T_scan_ * wheels.motion);
+  if (!options_.scan_matched_odometry) return wheels.motion;
+  const ScanMotion motion = scan_odometry_.Advance(scan, wheels);
+  counts_.searched += motion.searched ? 1 : 0;
+  counts_.wheels_rejected += motion.wheels_rejected ? 1 : 0;
+  counts_.ambiguous += motion.alternatives.empty() ? 0 : 1;
+  return motion.motion;
 }
 
 bool ImprovedGmapping::UpdateIsDue(const SE2& u) {

@@ -18,6 +18,7 @@
 #include "frontend/scan_odometry.h"
 #include "frontend/scan_poses.h"
 #include "frontend/sensor/laser_scan.h"
+#include "frontend/sensor/odometry_check.h"
 #include "frontend/sensor/scan_archive.h"
 
 namespace gmapping_spa::frontend {
@@ -61,6 +62,9 @@ class ImprovedGmapping {
     std::int64_t resamplings = 0;
     std::int64_t failed_matches = 0;  // summed over particles
     std::int64_t corrections = 0;
+    std::int64_t searched = 0;         // scans of which a window was searched
+    std::int64_t wheels_rejected = 0;  // scans that contradict the wheels
+    std::int64_t ambiguous = 0;        // scans that fit in several places
   };
 
   // `optimize` is the back end; it is called in a thread of its own.
@@ -99,6 +103,7 @@ class ImprovedGmapping {
 
   Options options_;
   particle_filter::ParticleFilter filter_;
+  sensor::OdometryCheck odometry_check_;
   ScanOdometry scan_odometry_;
   loop_closure::LoopCloser loop_closer_;
   GraphThread graph_thread_;
@@ -108,7 +113,6 @@ class ImprovedGmapping {
   std::vector<int> node_scans_;  // positions of the nodes' scans in the archive
   ScanPoses scan_poses_;
 
-  backend::SE2 wheels_T_last_scan_;  // raw odometry
   backend::SE2 odom_T_scan_;         // the control inputs so far
   backend::SE2 odom_T_last_update_;
   double linear_since_update_m_ = 0.0;

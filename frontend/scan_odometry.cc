@@ -5,105 +5,242 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frontend/map/scan_registration.h"
-
 namespace gmapping_spa::frontend {
 
 using backend::SE2;
-using scan_matching::ScanPoints;
+using scan_matching::CorrelativeMatch;
+using sensor::OdometryFault;
 
 namespace {
 
-// Gauss-Newton converges from within a step of the lattice.
-constexpr double kLinearStep_m = 0.1;
-constexpr double kAngularStep_rad = 0.025;
+constexpr double kForgetting = 0.05;  // a scan's share in the running mean of the fit
+constexpr double kMinUsualFit = 0.3;
 
-constexpr double kForgetting = 0.05;  // a scan's share in the running mean of the scores
+// Time between scans, s: stamps jitter, and are lost for long.
+constexpr double kMinDuration_s = 0.02;
+constexpr double kMaxDuration_s = 1.0;
+constexpr double kMaxRatio = 2.0;  // of the times of two scans in succession
 
-// By how much another place must score higher to be believed against the wheels.
-constexpr double kSearchMargin = 0.1;
+// Squared standard deviations by which a motion may differ from a guess that it agrees with.
+constexpr double kAgrees = 9.0;
+
+// Nats of a beam that fits: neighbouring beams are not independent.
+constexpr double kNatsPerBeam = 0.5;
+// A scan that fits nowhere (a covered laser, a crowd) says nothing about the motion, at this price.
+constexpr double kGarbage_nats = 30.0;
+
+// Part of the beams that may end in unseen space more than at another pose before it counts.
+constexpr double kFreeUnknown = 0.1;
+
+// Alternatives that are less likely than the best by this factor, e^-nats, are no alternatives.
+constexpr double kAmbiguous_nats = 3.0;
+// Matches nearer to each other than this are the same.
+constexpr double kSame_m = 0.1;
+constexpr double kSame_rad = 0.05;
+
+// Of beams in doubt: fewer that do not fit prove nothing.
+constexpr double kFewBeams = 4.0;
+
+// Half widths of the windows that are searched, one after the other until a match convinces.
+struct Window {
+  double linear_m, angular_rad;
+};
+constexpr Window kWindows[] = {{0.3, 0.4}, {0.75, 1.2}, {1.5, 3.14159}};
+
+constexpr int kSilentScans = 3;
+
+bool IsSame(const SE2& a, const SE2& b) {
+  const SE2 off = Between(a, b);
+  return off.translation().norm() < kSame_m && std::abs(off.theta) < kSame_rad;
+}
 
 }  // namespace
 
 ScanOdometry::ScanOdometry(const Options& options)
-    : options_(options), matcher_(options.gauss_newton, options.endpoint) {
-  CHECK_GT(options.floor_m, 0.0);
-  CHECK_GT(options.floor_rad, 0.0);
-  CHECK_GE(options.map_scans, 2);
-}
+    : options_(options),
+      matcher_(options.gauss_newton, options.endpoint),
+      map_(options.grid, options.map_scans) {}
 
-SE2 ScanOdometry::Advance(const sensor::LaserScan& scan, const SE2& wheels) {
-  if (maps_.empty()) {
-    maps_.push_back({map::OccupancyGrid(options_.grid)});
-    Enter(scan);
+ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
+                                 const sensor::OdometryCheck::Step& wheels) {
+  if (map_.empty()) {
+    map_.Enter(scan, odom_T_robot_);
+    stamp_s_ = scan.stamp_s;
     return {};
   }
-  const ScanPoints points = scan_matching::MakeScanPoints(scan);
+  const double duration_s =
+      std::clamp(scan.stamp_s - stamp_s_, kMinDuration_s, kMaxDuration_s);
+  stamp_s_ = scan.stamp_s;
+  usual_duration_s_ += kForgetting * (duration_s - usual_duration_s_);
   const SE2 before = odom_T_robot_;
-  const SE2 predicted = before * wheels;
-  const map::OccupancyGrid& grid = maps_.front().grid;
-  scan_matching::MatchResult match =
-      matcher_.Match(grid, points, predicted, WheelInformation(wheels));
-  const double usual_score = options_.search_below * recent_score_;
-  if (match.score < usual_score) {
-    const scan_matching::MatchResult elsewhere =
-        matcher_.Match(grid, points, Search(points, predicted, usual_score / 2.0));
-    if (elsewhere.score > std::max(usual_score, match.score + kSearchMargin)) match = elsewhere;
+  ScanMotion result;
+  if (wheels.fault == OdometryFault::kRepeatedScan) {  // the scan is of no use
+    odom_T_robot_ = before * wheels.motion;
+    result.motion = wheels.motion;
+    result.matched = false;
+    return result;
   }
-  recent_score_ += kForgetting * (match.score - recent_score_);
-  odom_T_robot_ = match.success ? match.world_T_robot : predicted;
+
+  points_ = scan_matching::MakeScanPoints(scan);
+  const MotionPrior prior = MakePrior(wheels, duration_s);
+  std::vector<Match> matches = {
+      Track(before * prior.hypotheses().front().motion, prior.hypotheses().front())};
+  if (!prior.GuessesAgree() || !IsConvincing(matches.front(), prior)) {
+    for (std::size_t k = 1; k < prior.hypotheses().size(); ++k) {
+      matches.push_back(Track(before * prior.hypotheses()[k].motion, prior.hypotheses()[k]));
+    }
+    Rank(prior, &matches);
+    for (const Window& window : kWindows) {
+      if (IsConvincing(matches.front(), prior)) break;
+      result.searched = true;
+      for (const Match& match : Search(prior, window.linear_m, window.angular_rad)) {
+        matches.push_back(match);
+      }
+      Rank(prior, &matches);
+    }
+  }
+  const Match& best = matches.front();
+  if (getenv("DBG") && (matches.size() > 1 || atoi(getenv("DBG")) > 1)) {
+    fprintf(stderr, "t %.3f dt %.3f fault %d usual %.3f wheels %.3f %.3f %.3f cv %.3f %.3f %.3f silent %d\n", scan.stamp_s, duration_s, (int)wheels.fault, usual_fit_, wheels.motion.x, wheels.motion.y, wheels.motion.theta, prior.hypotheses().back().motion.x, prior.hypotheses().back().motion.y, prior.hypotheses().back().motion.theta, silent_scans_);
+    for (const Match& m : matches) { SE2 d = Between(before, m.odom_T_robot); fprintf(stderr, "   %.3f %.3f %.3f  post %.2f prior %.2f fit %.3f known %.0f unk %.0f\n", d.x, d.y, d.theta, m.log_posterior, prior.LogDensity(d), m.evidence.Fit(), m.evidence.known(), m.evidence.unknown); }
+  }
+  if (getenv("DBG") && atoi(getenv("DBG")) > 2) { scan_matching::EndpointModel mm(options_.endpoint, &map_.grid(), &points_); for (int i = -10; i <= 25; ++i) { SE2 q = before; q.x += 0.02*i; auto e = mm.Evaluate(q); auto a = matcher_.Align(map_.grid(), points_, q, Eigen::Matrix3d(Eigen::Vector3d(1e6,1e6,1e6).asDiagonal())); fprintf(stderr, "  x %.3f (%.2f) exp %.1f known %.0f unk %.0f ll %.1f infoxx %.0f inl %.1f\n", q.x, 0.02*i, e.explained, e.known(), e.unknown, mm.LogLikelihood(q), a.world_information(0,0), a.inliers); } }
+  Learn(best, prior, wheels, duration_s);
+  odom_T_robot_ = best.odom_T_robot;
+  result.motion = Between(before, odom_T_robot_);
+  result.wheels_rejected =
+      prior.hypotheses().front().SquaredDistance(result.motion) > kAgrees;
+  double sum = 0.0;
+  for (const Match& match : matches) {
+    const double nats = match.log_posterior - best.log_posterior;
+    if (matches.size() == 1 || nats < -kAmbiguous_nats) continue;
+    result.alternatives.push_back({Between(before, match.odom_T_robot), std::exp(nats)});
+    sum += std::exp(nats);
+  }
+  if (result.alternatives.size() == 1) result.alternatives.clear();
+  for (ScanMotion::Alternative& alternative : result.alternatives) alternative.probability /= sum;
 
   const SE2 since_entered = Between(odom_T_entered_, odom_T_robot_);
   if (since_entered.translation().norm() > options_.enter_m ||
       std::abs(since_entered.theta) > options_.enter_rad) {
-    Enter(scan);
+    odom_T_entered_ = odom_T_robot_;
+    map_.Enter(scan, odom_T_robot_);
   }
-  return Between(before, odom_T_robot_);
+  return result;
 }
 
-// The best pose of a lattice that scores at least so much; the centre if there is none.
-SE2 ScanOdometry::Search(const ScanPoints& points, const SE2& centre, double at_least) const {
-  scan_matching::EndpointModel model(options_.endpoint, &maps_.front().grid, &points);
-  SE2 best = centre;
-  double best_score = std::max(model.Score(centre), at_least);
-  const int linear = static_cast<int>(std::lround(options_.search_m / kLinearStep_m));
-  const int angular = static_cast<int>(std::lround(options_.search_rad / kAngularStep_rad));
-  for (int t = -angular; t <= angular; ++t) {
-    for (int x = -linear; x <= linear; ++x) {
-      for (int y = -linear; y <= linear; ++y) {
-        const SE2 candidate{centre.x + kLinearStep_m * x, centre.y + kLinearStep_m * y,
-                            backend::WrapAngle(centre.theta + kAngularStep_rad * t)};
-        const double score = model.Score(candidate, best_score);
-        if (score > best_score) {
-          best = candidate;
-          best_score = score;
-        }
-      }
+MotionPrior ScanOdometry::MakePrior(const sensor::OdometryCheck::Step& wheels,
+                                    double duration_s) const {
+  // Wheels that have never moved may not be there at all.
+  const bool silent = wheels.fault == OdometryFault::kUnchanged &&
+                      (silent_scans_ >= kSilentScans || !wheels_ever_moved_);
+  const bool trust = !silent && (wheels.fault == OdometryFault::kNone ||
+                                 wheels.fault == OdometryFault::kUnchanged);
+  // Loggers may stamp scans when they write them, several at once: times are taken with a pinch of
+  // salt.
+  const double ratio = last_duration_s_ > 0.0 ? duration_s / last_duration_s_ : 1.0;
+  const SE2 going_on =
+      backend::Exp(std::clamp(ratio, 1.0 / kMaxRatio, kMaxRatio) * backend::Log(last_motion_));
+  return {options_.prior, wheels.motion, trust, going_on,
+          std::max(duration_s, usual_duration_s_)};
+}
+
+// Fuses the scan with the guess.
+ScanOdometry::Match ScanOdometry::Track(const SE2& initial,
+                                        const MotionHypothesis& hypothesis) const {
+  Match match;
+  match.odom_T_robot =
+      matcher_.Align(map_.grid(), points_, initial, hypothesis.Information()).world_T_robot;
+  scan_matching::EndpointModel model(options_.endpoint, &map_.grid(), &points_);
+  match.evidence = model.Evaluate(match.odom_T_robot);
+  return match;
+}
+
+// The best and the second best match of a window around where the robot would be at the same
+// velocity.
+std::vector<ScanOdometry::Match> ScanOdometry::Search(const MotionPrior& prior, double window_m,
+                                                      double window_rad) {
+  std::vector<Eigen::Vector2d> positions;
+  double reach_m = 1.0;
+  for (const scan_matching::ScanPoint& point : points_) {
+    positions.emplace_back(point.x_m, point.y_m);
+    reach_m = std::max(reach_m, std::hypot(point.x_m, point.y_m));
+  }
+  scan_matching::CorrelativeMatcher::Options search;
+  search.min_score = 0.2;
+  search.second_floor = 0.8;
+  search.peak_separation_m = 0.2;
+  search.with_covariance = false;
+  const SE2 centre = odom_T_robot_ * prior.hypotheses().back().motion;
+  const CorrelativeMatch found =
+      map_.Search(search, odom_T_robot_, reach_m + 1.5)
+          .Match(positions, centre,
+                 {std::min(window_m, prior.reach_m()), std::min(window_rad, prior.reach_rad())});
+  std::vector<Match> matches;
+  if (!found.found) return matches;
+  const MotionHypothesis weak{.motion = {}, .sigma_m = 0.1, .sigma_rad = 0.1};
+  matches.push_back(Track(found.map_T_scan, weak));
+  if (found.second_map_T_scan != found.map_T_scan) {
+    matches.push_back(Track(found.second_map_T_scan, weak));
+  }
+  return matches;
+}
+
+// Whether the match fits about as well as usual, and agrees with all guesses about the motion.
+bool ScanOdometry::IsConvincing(const Match& match, const MotionPrior& prior) const {
+  const double missing =
+      match.evidence.known() * options_.doubt_below * usual_fit_ - match.evidence.explained;
+  if (missing > kFewBeams * usual_fit_) return false;
+  const SE2 motion = Between(odom_T_robot_, match.odom_T_robot);
+  return prior.hypotheses().front().SquaredDistance(motion) < kAgrees ||
+         prior.hypotheses().back().SquaredDistance(motion) < kAgrees;
+}
+
+// Sorts by the posterior and leaves out what is the same. A beam says so many nats for a pose as it
+// fits better than usual; in unseen space, none.
+void ScanOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) const {
+  double least_unknown = 1e9;
+  for (const Match& match : *matches) {
+    least_unknown = std::min(least_unknown, match.evidence.unknown);
+  }
+  const double free_unknown = least_unknown + kFreeUnknown * static_cast<double>(points_.size());
+  for (Match& match : *matches) {
+    const scan_matching::Evidence& e = match.evidence;
+    const double unexpected = std::max(e.unknown - free_unknown, 0.0);
+    const double nats =
+        kNatsPerBeam * (e.explained - usual_fit_ * (e.known() + unexpected));
+    match.log_posterior = std::max(nats, -kGarbage_nats) +
+                          prior.LogDensity(Between(odom_T_robot_, match.odom_T_robot));
+  }
+  std::stable_sort(matches->begin(), matches->end(), [](const Match& a, const Match& b) {
+    return a.log_posterior > b.log_posterior;
+  });
+  std::vector<Match> different;
+  for (const Match& match : *matches) {
+    if (std::none_of(different.begin(), different.end(), [&](const Match& other) {
+          return IsSame(match.odom_T_robot, other.odom_T_robot);
+        })) {
+      different.push_back(match);
     }
   }
-  return best;
+  *matches = std::move(different);
 }
 
-// The same in all directions, so that the frame does not matter.
-Eigen::Matrix3d ScanOdometry::WheelInformation(const SE2& wheels) const {
-  const double linear_m = wheels.translation().norm(), angular_rad = std::abs(wheels.theta);
-  const double sigma_m = options_.floor_m + options_.m_per_m * linear_m;
-  const double sigma_rad =
-      options_.floor_rad + options_.rad_per_m * linear_m + options_.rad_per_rad * angular_rad;
-  return Eigen::Array3d(sigma_m, sigma_m, sigma_rad).square().inverse().matrix().asDiagonal();
-}
-
-// Enters the scan into both maps. The second one is begun when the first is half full, and takes
-// its place when that is full: the map in use always holds the last half.
-void ScanOdometry::Enter(const sensor::LaserScan& scan) {
-  odom_T_entered_ = odom_T_robot_;
-  if (maps_.back().scans >= options_.map_scans / 2) {
-    if (maps_.size() == 2) maps_.erase(maps_.begin());
-    maps_.push_back({map::OccupancyGrid(options_.grid)});
+void ScanOdometry::Learn(const Match& match, const MotionPrior& prior,
+                         const sensor::OdometryCheck::Step& wheels, double duration_s) {
+  if (match.evidence.known() > 0.0) {
+    usual_fit_ += kForgetting * (match.evidence.Fit() - usual_fit_);
+    usual_fit_ = std::max(usual_fit_, kMinUsualFit);
   }
-  for (LocalMap& local : maps_) {
-    map::RegisterScan(scan, odom_T_robot_, {}, &local.grid);
-    ++local.scans;
+  const SE2 motion = Between(odom_T_robot_, match.odom_T_robot);
+  last_motion_ = motion;
+  last_duration_s_ = duration_s;
+  const bool agrees = prior.hypotheses().front().SquaredDistance(motion) < kAgrees;
+  if (wheels.fault == OdometryFault::kNone) {
+    wheels_ever_moved_ = true;
+    silent_scans_ = 0;
+  } else if (wheels.fault == OdometryFault::kUnchanged && silent_scans_ < kSilentScans) {
+    silent_scans_ = agrees ? 0 : silent_scans_ + 1;
   }
 }
 

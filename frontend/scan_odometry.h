@@ -2,16 +2,36 @@
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_ODOMETRY_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_ODOMETRY_H_
 
+#include <cstdint>
 #include <vector>
 
 #include "backend/se2.h"
 #include "frontend/map/occupancy_grid.h"
+#include "frontend/motion_prior.h"
+#include "frontend/scan_matching/correlative_matching.h"
 #include "frontend/scan_matching/endpoint_model.h"
 #include "frontend/scan_matching/gauss_newton.h"
 #include "frontend/scan_matching/scan_points.h"
 #include "frontend/sensor/laser_scan.h"
+#include "frontend/sensor/odometry_check.h"
+#include "frontend/sliding_map.h"
 
 namespace gmapping_spa::frontend {
+
+// What a scan says about the motion since the scan before.
+struct ScanMotion {
+  struct Alternative {
+    backend::SE2 motion;
+    double probability = 0.0;
+  };
+
+  backend::SE2 motion;  // the likeliest
+  // All motions that the scan does not tell apart, the likeliest first; empty when there is one.
+  std::vector<Alternative> alternatives;
+  bool searched = false;         // whether the guesses did not do and a window was searched
+  bool wheels_rejected = false;  // whether the motion is not what the wheels say
+  bool matched = true;           // whether the scan fits what was seen before
+};
 
 // Matches scans with a local map of its own, in its own frame. A particle's map would hold the
 // robot to walls of long ago as soon as they are in reach, and tear the way there from the way on:
@@ -22,46 +42,50 @@ class ScanOdometry {
     scan_matching::GaussNewton::Options gauss_newton;
     scan_matching::EndpointModel::Options endpoint;
     map::OccupancyGrid::Options grid;
-    // Standard deviations of the wheels' increment between two scans.
-    double floor_m = 0.01;
-    double m_per_m = 0.1;
-    double floor_rad = 0.005;
-    double rad_per_m = 0.05;
-    double rad_per_rad = 0.1;
+    MotionPrior::Options prior;
     // A scan is entered into the map after this much motion. The map is given up for one of half
     // that many scans when it holds so many.
     double enter_m = 0.5;
     double enter_rad = 0.3;
     int map_scans = 80;
-    // When a match scores below this part of what recent scans scored, the wheels may have slipped:
-    // the surroundings are searched, this far to either side.
-    double search_below = 0.8;
-    double search_m = 0.3;
-    double search_rad = 0.4;
+    // A match that fits less than this part of what recent scans did is looked into.
+    double doubt_below = 0.85;
   };
 
   explicit ScanOdometry(const Options& options);
 
   // The motion since the scan before, given what the wheels say about it. Of the first scan: none.
-  backend::SE2 Advance(const sensor::LaserScan& scan, const backend::SE2& wheels);
+  ScanMotion Advance(const sensor::LaserScan& scan, const sensor::OdometryCheck::Step& wheels);
 
  private:
-  struct LocalMap {
-    map::OccupancyGrid grid;
-    int scans = 0;
+  // A pose of the robot and how well the scan fits there.
+  struct Match {
+    backend::SE2 odom_T_robot;
+    scan_matching::Evidence evidence;
+    double log_posterior = 0.0;  // up to a constant
   };
 
-  backend::SE2 Search(const scan_matching::ScanPoints& points, const backend::SE2& centre,
-                      double at_least) const;
-  Eigen::Matrix3d WheelInformation(const backend::SE2& wheels) const;
-  void Enter(const sensor::LaserScan& scan);
+  MotionPrior MakePrior(const sensor::OdometryCheck::Step& wheels, double duration_s) const;
+  Match Track(const backend::SE2& initial, const MotionHypothesis& hypothesis) const;
+  std::vector<Match> Search(const MotionPrior& prior, double window_m, double window_rad);
+  bool IsConvincing(const Match& match, const MotionPrior& prior) const;
+  void Rank(const MotionPrior& prior, std::vector<Match>* matches) const;
+  void Learn(const Match& match, const MotionPrior& prior,
+             const sensor::OdometryCheck::Step& wheels, double duration_s);
 
   Options options_;
   scan_matching::GaussNewton matcher_;
-  std::vector<LocalMap> maps_;  // the one in use and the one to replace it
+  SlidingMap map_;
+  scan_matching::ScanPoints points_;  // of the scan at hand
   backend::SE2 odom_T_robot_;
   backend::SE2 odom_T_entered_;  // when a scan was last entered
-  double recent_score_ = 0.0;    // running mean
+  double stamp_s_ = 0.0;
+  backend::SE2 last_motion_;
+  double last_duration_s_ = 0.0;
+  double usual_duration_s_ = 0.1;                       // running mean
+  double usual_fit_ = 0.6;                              // running mean
+  bool wheels_ever_moved_ = false;
+  int silent_scans_ = 0;  // in a row, that moved while the wheels stood still
 };
 
 }  // namespace gmapping_spa::frontend

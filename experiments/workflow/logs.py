@@ -1,17 +1,20 @@
-"""Where the logs of a study come from: files of real robots, or the simulator."""
+"""Reads from a study which logs it has; log_sources.py says which there are."""
 from __future__ import annotations
 
-import dataclasses
+import functools
+import math
 import pathlib
 
 import flags
-import ids
-from yaml_entry import Entry
+import log_tools
+from log_sources import CarmenLog, Log, SimulatedLog, StressedLog
+from yaml_entry import Entry, did_you_mean
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WORLDS = ROOT / "experiments" / "simulation" / "worlds"
 
 EVERY = "*"
+UNSTRESSED = "none"  # a kind of stress: the log as it was recorded
 
 RESERVED = {
     "world": "the log's 'world'",
@@ -20,38 +23,6 @@ RESERVED = {
     "seed": "the study's 'seeds'",
     "output_dir": "the workflow",
 }
-
-
-@dataclasses.dataclass(frozen=True)
-class CarmenLog:
-    """A recorded log, scored by hand-checked relations if there are some."""
-    file: pathlib.Path
-    relations: pathlib.Path | None
-
-    def content_id(self) -> str:
-        return ids.content_id("carmen", ids.file_hash(self.file))
-
-
-@dataclasses.dataclass(frozen=True)
-class SimulatedLog:
-    """A tour of a robot through a world; every seed makes another log of it."""
-    world: pathlib.Path
-    path: pathlib.Path
-    obstacles: pathlib.Path | None
-    flags: dict[str, flags.Value]
-
-    def argv(self, seed: int) -> list[str]:
-        """Arguments of `simulate`, without --output_dir."""
-        files = [f"--world={self.world}", f"--path={self.path}"]
-        if self.obstacles:
-            files.append(f"--obstacles={self.obstacles}")
-        return [*files, *flags.as_arguments(self.flags), f"--seed={seed}"]
-
-    def content_id(self, seed: int) -> str:
-        return ids.content_id(
-            "simulated", ids.world_hash(self.world), ids.file_hash(self.path),
-            ids.file_hash(self.obstacles) if self.obstacles else None,
-            flags.as_arguments(self.flags), seed)
 
 
 def find_file(entry: Entry, *folders: pathlib.Path) -> pathlib.Path:
@@ -72,17 +43,54 @@ def read_flag_values(entry: Entry, known: dict[str, str],
     return values
 
 
-def read_log(entry: Entry, parts: dict[str, Entry], data: pathlib.Path,
-             simulator_flags: dict[str, str]) -> CarmenLog | SimulatedLog:
-    """`parts` are the values below `entry`, those of the study's quick version merged in."""
+def read_logs(name: str, entry: Entry, parts: dict[str, Entry], data: pathlib.Path,
+              simulator_flags: dict[str, str]) -> dict[str, Log]:
+    """By name: one log, or with a list of stresses the log 'NAME KIND' for each of them. `parts`
+    are the values below `entry`, those of the study's quick version merged in."""
     if ("carmen" in parts) == ("world" in parts):
         entry.fail("expected either 'carmen: NAME' or 'world: FILE'")
-    if "carmen" in parts:
-        for key in parts.keys() - {"carmen"}:
-            parts[key].fail(f"'{key}' is for simulated logs")
-        file = find_file_of_log(parts["carmen"], data)
-        relations = data / "relations" / f"{parts['carmen'].text()}.relations"
-        return CarmenLog(file, _gzipped_or_not(relations))
+    if "world" in parts:
+        for key in parts.keys() & {"stress", "size"}:
+            parts[key].fail(f"'{key}' is for recorded logs")
+        return {name: _read_simulated(entry, parts, simulator_flags)}
+    for key in parts.keys() - {"carmen", "stress", "size"}:
+        parts[key].fail(f"'{key}' is for simulated logs")
+    log = find_log(parts["carmen"], data)
+    if "stress" not in parts:
+        if "size" in parts:
+            parts["size"].fail("expected a 'stress' that it scales, found none")
+        return {name: log}
+    size = _read_size(parts["size"]) if "size" in parts else 1.0
+    if not parts["stress"].is_sequence():
+        return {name: _read_stressed(parts["stress"], log, size)}
+    kinds = parts["stress"].sequence()
+    found = {f"{name} {kind.text()}": _read_stressed(kind, log, size) for kind in kinds}
+    if not kinds or len(found) < len(kinds):
+        parts["stress"].fail("expected different kinds of stress, one or more")
+    return found
+
+
+def _read_stressed(kind: Entry, log: CarmenLog, size: float) -> CarmenLog | StressedLog:
+    known = _kinds_of_stress()
+    if kind.text() == UNSTRESSED:
+        return log
+    if kind.text() not in known:
+        kind.fail(f"unknown stress '{kind.text()}'{did_you_mean(kind.text(), known)}")
+    return StressedLog(log, kind.text(), size)
+
+
+_kinds_of_stress = functools.cache(log_tools.kinds_of_stress)
+
+
+def _read_size(entry: Entry) -> float:
+    size = flags.value_of(entry, "double")
+    if not (math.isfinite(size) and size > 0.0):
+        entry.fail(f"expected a number above 0, found {entry.found()}")
+    return size
+
+
+def _read_simulated(entry: Entry, parts: dict[str, Entry],
+                    simulator_flags: dict[str, str]) -> SimulatedLog:
     folders = [entry.file.parent, WORLDS]
     world = find_file(parts["world"], *folders)
     if "path" in parts:
@@ -101,12 +109,14 @@ def read_log(entry: Entry, parts: dict[str, Entry], data: pathlib.Path,
     return SimulatedLog(world, path, obstacles, values)
 
 
-def find_file_of_log(entry: Entry, data: pathlib.Path) -> pathlib.Path:
+def find_log(entry: Entry, data: pathlib.Path) -> CarmenLog:
+    """The log of this name in the data folder, and its relations."""
     file = _gzipped_or_not(data / "carmen" / f"{entry.text()}.clf")
     if not file:
         entry.fail(f"no file '{data / 'carmen' / entry.text()}.clf.gz'; --data=DIR says where the "
                    "logs are")
-    return file.resolve()
+    relations = _gzipped_or_not(data / "relations" / f"{entry.text()}.relations")
+    return CarmenLog(file.resolve(), relations)
 
 
 def every_recorded_log(entry: Entry, data: pathlib.Path) -> dict[str, tuple[Entry, dict]]:

@@ -14,7 +14,8 @@ def make_plan(studies: list[Study], binaries: pathlib.Path, data: pathlib.Path,
         "data": str(data),
         "studies": [str(study.path.resolve()) for study in studies],
         "quick": quick,
-        "logs": {run.log_id: run.log_argv for run in runs.values() if run.log_id},
+        "logs": {run.log_id: {"tool": run.log_tool, "argv": run.log_argv}
+                 for run in runs.values() if run.log_id},
         "runs": {run_id: _run(run) for run_id, run in runs.items()},
     }
 

@@ -12,7 +12,15 @@ import sys
 from typing import Any
 
 import commands
+import log_tools
 import results_folder
+
+
+def log_of(plan: dict[str, Any], run: dict[str, Any], work: pathlib.Path) -> pathlib.Path:
+    if run["log_file"]:
+        return pathlib.Path(run["log_file"])
+    tool = plan["logs"][run["log_id"]]["tool"]
+    return work / "logs" / run["log_id"] / log_tools.LOG_NAMES[tool]
 
 
 def slam(plan: dict[str, Any], run: dict[str, Any], partial: pathlib.Path,
@@ -22,7 +30,7 @@ def slam(plan: dict[str, Any], run: dict[str, Any], partial: pathlib.Path,
     binary = pathlib.Path(plan["bin"]) / "gmapping_spa"
     outcome = {"version": commands.version(binary), "processor": commands.processor(),
                "log_sha256": None, "log_command": None}
-    log = pathlib.Path(run["log_file"] or work / "logs" / run["log_id"] / "log.clf")
+    log = log_of(plan, run, work)
     words = [str(binary), f"--log={log}", *run["argv"]]
     outcome["command"] = commands.command_line([*words, f"--output_dir={final}"], work, data)
     if run["log_id"]:

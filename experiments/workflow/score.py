@@ -11,6 +11,7 @@ import subprocess
 import sys
 from typing import Any
 
+import log_tools
 import results_folder
 from metrics import METRICS
 
@@ -25,7 +26,7 @@ def evaluate(binary: pathlib.Path, *words: str) -> dict[str, Any]:
     return json.loads(done.stdout)
 
 
-def relation_scores(binaries: pathlib.Path, folder: pathlib.Path, relations: str) -> Scores:
+def relation_scores(binaries: pathlib.Path, folder: pathlib.Path, relations: pathlib.Path) -> Scores:
     errors = evaluate(binaries / "evaluate_relations", f"--relations={relations}",
                       f"--trajectory={folder / 'trajectory.tum'}")
     return {
@@ -90,19 +91,30 @@ def record_scores(record: dict[str, Any]) -> Scores:
     }
 
 
+def truth_of(run: dict[str, Any]) -> tuple[pathlib.Path | None, pathlib.Path | None]:
+    """The folder with the truth of a simulated log; the relations of a recorded or stressed one."""
+    if not run["log_id"]:
+        return None, pathlib.Path(run["relations"]) if run["relations"] else None
+    made = pathlib.Path("logs", run["log_id"])
+    relations = made / log_tools.RELATIONS
+    some_are_left = relations.exists() and relations.stat().st_size > 0
+    return (made if (made / "truth.tum").exists() else None,
+            relations if some_are_left else None)
+
+
 def scores_of(plan: dict[str, Any], run_id: str) -> Scores:
     run, folder = plan["runs"][run_id], pathlib.Path("runs", run_id)
     scores: Scores = dict.fromkeys(METRICS)
     if json.loads((folder / "outcome.json").read_text())["exit_status"] != 0:
         return scores
     binaries = pathlib.Path(plan["bin"])
-    truth = pathlib.Path("logs", run["log_id"]) if run["log_id"] else None
+    truth, relations = truth_of(run)
     scores |= record_scores(json.loads((folder / "run.json").read_text()))
     scores |= map_scores(binaries, folder, truth, pathlib.Path("scores", f"{run_id}.error_map.png"))
     if truth:
         scores |= trajectory_scores(binaries, folder, truth)
-    if run["relations"]:
-        scores |= relation_scores(binaries, folder, run["relations"])
+    if relations:
+        scores |= relation_scores(binaries, folder, relations)
     return {name: value if value is not None and math.isfinite(value) else None
             for name, value in scores.items()}
 

@@ -5,14 +5,16 @@ import shutil
 from collections.abc import Iterator
 from typing import Any
 
-import commands
+import log_tools
 
 
 def warnings(work: pathlib.Path, plan: dict[str, Any]) -> Iterator[str]:
     """One line for each kind of result of which some were made by another build."""
-    for folder, ids, name in (("logs", plan["logs"], "simulate"),
-                              ("runs", plan["runs"], "gmapping_spa")):
-        version = commands.version(pathlib.Path(plan["bin"]) / name)
+    binaries = pathlib.Path(plan["bin"])
+    made = [("logs", [i for i, log in plan["logs"].items() if log["tool"] == tool], tool)
+            for tool in sorted({log["tool"] for log in plan["logs"].values()})]
+    for folder, ids, name in [*made, ("runs", list(plan["runs"]), "gmapping_spa")]:
+        version = log_tools.version(name, binaries)
         files = [work / folder / i / "outcome.json" for i in ids]
         found = [json.loads(f.read_text())["version"] for f in files if f.exists()]
         others = sum(v != version for v in found)

@@ -10,6 +10,7 @@ import flags
 import ids
 import logs
 from figure import Figure, read_figures
+from log_sources import CarmenLog, Log, SimulatedLog
 from metrics import METRICS
 from yaml_entry import Entry, StudyError, did_you_mean, read_yaml
 
@@ -18,7 +19,7 @@ __all__ = ["Cell", "Run", "Study", "StudyError", "load_study"]
 FLAGS = logs.ROOT / "experiments" / "flags"
 KEYS = ["title", "description", "logs", "seeds", "flags", "variants", "axes", "metrics", "compare",
         "figures"]
-LOG_KEYS = ["carmen", "world", "path", "obstacles", "simulate"]
+LOG_KEYS = ["carmen", "stress", "size", "world", "path", "obstacles", "simulate"]
 SIMULATE = "simulate."  # begins the name of an axis over a flag of the simulator
 RESERVED = {
     "log": "the study's 'logs'",
@@ -55,10 +56,11 @@ class Run:
     id: str
     cell: Cell
     seed: int
-    log_id: str | None  # of a simulated log
-    log_argv: list[str] | None  # arguments of `simulate` that make it, without --output_dir
-    log_file: pathlib.Path | None  # of a real log
-    relations: pathlib.Path | None  # that score a real log
+    log_id: str | None  # of a log that is made for the study
+    log_tool: str | None  # that makes it, with these arguments and those for its output
+    log_argv: list[str] | None
+    log_file: pathlib.Path | None  # of a recorded log
+    relations: pathlib.Path | None  # that score a recorded log; a log that is made has its own
     argv: list[str]  # arguments of `gmapping_spa`, without --log and --output_dir
 
 
@@ -119,8 +121,7 @@ class _Reader:
         for key in ("title", "logs", "seeds", "metrics"):
             if key not in parts:
                 self.root.fail(f"'{key}' is missing")
-        sources = {name: logs.read_log(entry, below, self.data, self.simulator_flags)
-                   for name, (entry, below) in log_parts.items()}
+        sources = self._sources(log_parts)
         if not sources:
             parts["logs"].fail("expected one log or more, found none")
         common = self._slam_flags(parts["flags"]) if "flags" in parts else {}
@@ -144,6 +145,15 @@ class _Reader:
             study.figures.extend(read_figures(parts["figures"], study))
         return study
 
+    def _sources(self, log_parts: dict[str, tuple[Entry, dict[str, Entry]]]) -> dict[str, Log]:
+        sources: dict[str, Log] = {}
+        for name, (entry, below) in log_parts.items():
+            found = logs.read_logs(name, entry, below, self.data, self.simulator_flags)
+            for twice in found.keys() & sources.keys():
+                entry.fail(f"the log '{twice}' is there twice")
+            sources |= found
+        return sources
+
     def _slam_flags(self, entry: Entry) -> dict[str, flags.Value]:
         return logs.read_flag_values(entry, self.slam_flags, RESERVED)
 
@@ -160,7 +170,7 @@ class _Reader:
             entry.fail("expected one variant or more, found none")
         return variants
 
-    def _axes(self, entry: Entry, sources: dict[str, logs.CarmenLog | logs.SimulatedLog],
+    def _axes(self, entry: Entry, sources: dict[str, Log],
               common: dict[str, flags.Value],
               variants: dict[str, Variant]) -> dict[str, list[flags.Value]]:
         axes = {}
@@ -169,7 +179,7 @@ class _Reader:
                 flag, known, reserved = (
                     name.removeprefix(SIMULATE), self.simulator_flags, logs.RESERVED)
                 for log, source in sources.items():
-                    if isinstance(source, logs.CarmenLog):
+                    if not isinstance(source, SimulatedLog):
                         values.fail(f"is for simulated logs; '{log}' is a recorded one")
             else:
                 flag, known, reserved = name, self.slam_flags, RESERVED
@@ -254,26 +264,25 @@ def _selector(entry: Entry, study: Study) -> dict[str, Any]:
     return selector
 
 
-def _run(cell: Cell, seed: int, source: logs.CarmenLog | logs.SimulatedLog,
+def _run(cell: Cell, seed: int, source: Log,
          common: dict[str, flags.Value], variant: Variant) -> Run:
     slam = common | variant.flags | {
         name: value for name, value in cell.axes.items() if not name.startswith(SIMULATE)}
     argv = [*([f"--flagfile={variant.flagfile}"] if variant.flagfile else []),
             *flags.as_arguments(slam), f"--seed={seed}"]
-    simulated = isinstance(source, logs.SimulatedLog)
-    if simulated:
+    if isinstance(source, SimulatedLog):
         source = dataclasses.replace(source, flags=source.flags | {
             name.removeprefix(SIMULATE): value for name, value in cell.axes.items()
             if name.startswith(SIMULATE)})
-        log = source.content_id(seed)
-    else:
-        log = source.content_id()
+    log = source.content_id(seed)
+    recorded = isinstance(source, CarmenLog)
     return Run(
         id=ids.content_id(log, flags.as_arguments(slam),
                           ids.file_hash(variant.flagfile) if variant.flagfile else None, seed),
         cell=cell, seed=seed,
-        log_id=log if simulated else None,
-        log_argv=source.argv(seed) if simulated else None,
-        log_file=None if simulated else source.file,
-        relations=None if simulated else source.relations,
+        log_id=None if recorded else log,
+        log_tool=source.tool,
+        log_argv=None if recorded else source.argv(seed),
+        log_file=source.file if recorded else None,
+        relations=source.relations if recorded else None,
         argv=argv)

@@ -2,6 +2,7 @@
 
 #include <glog/logging.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <chrono>
 #include <numeric>
@@ -95,7 +96,8 @@ void ParticleFilter::Move(const scan_matching::ScanPoints& points, const SE2& od
                            motion_model_.Covariance(previous, odometry_increment)};
   scan_matching::EndpointModel model(options_.endpoint, &particle.map, &points);
   const scan_matching::MatchResult match = matcher_->Match(  // eq. (8)
-      particle.map, points, InitialGuess(particle, odometry_increment, &model, &random));
+      particle.map, points, InitialGuess(particle, odometry_increment, &model, &random),
+      prior.covariance.inverse());
   double log_factor = 0.0;  // of the weight, eqs. (7) and (15)
   EdgeModel::Step step{previous, {}, odometry_increment, prior.covariance, match.success};
   if (match.success) {

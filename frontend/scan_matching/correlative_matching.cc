@@ -107,10 +107,11 @@ CorrelativeMatch CorrelativeMatcher::Match(const std::vector<Eigen::Vector2d>& p
       push_parts(block);
     } else if (match.found) {
       match.second_score = score;
+      match.second_map_T_scan = lattice.Pose(block);
       break;
     } else {
       match.found = true;
-      match.map_T_scan = lattice.Pose(block);
+      match.map_T_scan = match.second_map_T_scan = lattice.Pose(block);
       match.score = score;
       match.second_score = options_.second_floor * score;
       floor = options_.second_floor * block.bound;

@@ -24,6 +24,7 @@ struct CorrelativeMatch {
   // Best score outside the peak of the best pose, or second_floor times `score` if nothing outside
   // reaches that. The closer it is to `score`, the more ambiguous is the match.
   double second_score = 0.0;
+  backend::SE2 second_map_T_scan;  // where that is; the best pose where nothing reaches it
   // Of (x, y, theta) in the frame of the map, from the scores of the peak as far as it lies in the
   // window, with weights exp(independent_points (score(pose) - score)). See ScorePeak. For small
   // distances the value of a point is 1 - d^2 / 2 sigma^2: the exponent is the log likelihood of so

@@ -15,6 +15,12 @@ using map::FloorToCell;
 
 namespace {
 
+// A beam that ends this many cells behind a surface, or fewer, has crossed it.
+constexpr int kCellsBehind = 12;
+
+// Expected of a beam that fits, in squared standard deviations.
+constexpr float kExpectedSquaredDistance = 1.0f;
+
 // A component of a unit vector, rounded to the eight directions of a grid.
 int Rounded(double component) { return (component > 0.5) - (component < -0.5); }
 
@@ -39,21 +45,49 @@ double EndpointModel::Score(const backend::SE2& world_T_robot, double at_least) 
   const double count = static_cast<double>(points_->size());
   // A beam adds 1 at most; what is explained after a row of beams that are not counts late only.
   const double slack = count * (1.0 - at_least);
-  const auto scale = static_cast<float>(score_scale_);
   double sum = 0.0;
   ForEachBeam(world_T_robot, [&](std::size_t k, const EndPoint& end) {
-    const auto x = static_cast<float>(end.x - end.cell.x);
-    const auto y = static_cast<float>(end.y - end.cell.y);
-    float nearest = std::numeric_limits<float>::infinity();  // d^2 in cells; exp gives 0
-    end.block->ForEachFullNeighbour(end.cell, end.back_dx, end.back_dy,
-                                    [&](float mean_x, float mean_y) {
-                                      const float dx = x - mean_x, dy = y - mean_y;
-                                      nearest = std::min(nearest, dx * dx + dy * dy);
-                                    });
-    if (std::isfinite(nearest)) sum += std::exp(scale * nearest);
+    sum += Explained(end);
     return sum + slack >= static_cast<double>(k);
   });
   return sum / count;
+}
+
+Evidence EndpointModel::Evaluate(const backend::SE2& world_T_robot) {
+  Evidence evidence;
+  ForEachBeam(world_T_robot, [&](std::size_t, const EndPoint& end) {
+    if (const double explained = Explained(end); explained > 0.0) {
+      evidence.explained += explained;
+      evidence.at_surface += 1.0;
+    } else if (IsUnknown(end)) {
+      evidence.unknown += 1.0;
+    } else {
+      evidence.contradicted += 1.0;
+    }
+    return true;
+  });
+  return evidence;
+}
+
+double EndpointModel::Explained(const EndPoint& end) const {
+  const auto x = static_cast<float>(end.x - end.cell.x);
+  const auto y = static_cast<float>(end.y - end.cell.y);
+  float nearest = std::numeric_limits<float>::infinity();  // d^2 in cells
+  end.block->ForEachFullNeighbour(end.cell, end.back_dx, end.back_dy,
+                                  [&](float mean_x, float mean_y) {
+                                    const float dx = x - mean_x, dy = y - mean_y;
+                                    nearest = std::min(nearest, dx * dx + dy * dy);
+                                  });
+  return std::isfinite(nearest) ? std::exp(static_cast<float>(score_scale_) * nearest) : 0.0;
+}
+
+bool EndpointModel::IsUnknown(const EndPoint& end) const {
+  if (grid_->cell(end.cell).visits > 0) return false;
+  for (int k = 1; k <= kCellsBehind; ++k) {
+    const CellIndex cell{FloorToCell(end.x + k * end.back_x), FloorToCell(end.y + k * end.back_y)};
+    if (grid_->FullBits(cell) & 1u) return false;
+  }
+  return true;
 }
 
 double EndpointModel::LogLikelihood(const backend::SE2& world_T_robot) {
@@ -64,6 +98,8 @@ double EndpointModel::LogLikelihood(const backend::SE2& world_T_robot) {
     if (surface.Fit(*end.block, end.cell, end.x, end.y)) {
       const Eigen::Vector2f weighted = surface.Information(noise_cells_) * surface.offset;
       squared = std::min(squared, surface.offset.dot(weighted));
+    } else if (IsUnknown(end)) {
+      squared = kExpectedSquaredDistance;
     }
     sum += squared;
     return true;
@@ -83,8 +119,10 @@ void EndpointModel::ForEachBeam(const backend::SE2& world_T_robot, const Visit& 
     end.x = x0 + cx * point.x_m - sx * point.y_m;
     end.y = y0 + sx * point.x_m + cx * point.y_m;
     end.cell = {FloorToCell(end.x), FloorToCell(end.y)};
-    end.back_dx = Rounded(c * point.back_x - s * point.back_y);
-    end.back_dy = Rounded(s * point.back_x + c * point.back_y);
+    end.back_x = c * point.back_x - s * point.back_y;
+    end.back_y = s * point.back_x + c * point.back_y;
+    end.back_dx = Rounded(end.back_x);
+    end.back_dy = Rounded(end.back_y);
     if (!blocks_[k].Covers(end.cell)) blocks_[k].CopyFrom(*grid_, end.cell);
     end.block = &blocks_[k];
     if (!visit(k, end)) return;

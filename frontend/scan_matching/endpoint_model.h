@@ -11,11 +11,28 @@
 
 namespace gmapping_spa::scan_matching {
 
-// One scan z and one map m, to be evaluated at many poses x near each other, in two ways:
+// What the beams of a scan say about a pose. A beam that ends at a surface of the map speaks for it,
+// one that ends in free space or behind a surface against it. One that ends in unseen space says
+// nothing: whoever counts it as a miss is pulled back to what is known.
+struct Evidence {
+  double explained = 0.0;     // sum over the beams at a surface of exp(-d^2 / 2 score_sigma^2)
+  double contradicted = 0.0;  // number of beams
+  double unknown = 0.0;       // number of beams
+  double at_surface = 0.0;    // number of beams
+
+  double known() const { return at_surface + contradicted; }
+  // Between 0 and 1, the latter where nothing is known.
+  double Fit() const { return known() > 0.0 ? explained / known() : 1.0; }
+};
+
+// One scan z and one map m, to be evaluated at many poses x near each other, in three ways:
 //
 // The score, for searching, is that of GMapping (Grisetti, Stachniss, Burgard 2007): a beam is
 // explained by the nearest hit mean among the full cells of the 3 x 3 neighbourhood of its end
 // point whose neighbour toward the laser is not full as well: a wall is seen from its own side.
+//
+// The evidence, for comparing poses far from each other, is that sum with beams in unseen space
+// left out.
 //
 // The likelihood, for weights and proposals, measures the distance to the surface that the hit
 // means form (LocalSurface). It must not say more than the walls do: the nearest hit mean would
@@ -42,9 +59,13 @@ class EndpointModel {
   // be given up half-way; what is returned then is below it, too.
   double Score(const backend::SE2& world_T_robot, double at_least = 0.0);
 
+  // What the beams say about the pose, told apart from where they say nothing.
+  Evidence Evaluate(const backend::SE2& world_T_robot);
+
   // log p(z | m, x) up to a constant, in nats: the gain times the sum over the beams of -d^2 / 2,
   // where d is the Mahalanobis distance to the LocalSurface at the end point with noise of
-  // likelihood_sigma_m, limited to unmatched_sigmas.
+  // likelihood_sigma_m, limited to unmatched_sigmas. A beam that ends in unseen space counts as one
+  // that fits as well as can be expected: it is no evidence against the pose.
   double LogLikelihood(const backend::SE2& world_T_robot);
 
  private:
@@ -54,11 +75,18 @@ class EndpointModel {
     map::CellIndex cell;
     int back_dx, back_dy;  // the neighbouring cell toward the laser
     const map::CellBlock* block;
+    double back_x, back_y;  // unit vector toward the laser
   };
 
   // Calls visit(k, end point) for every beam k, until it returns false.
   template <typename Visit>
   void ForEachBeam(const backend::SE2& world_T_robot, const Visit& visit);
+
+  // exp(-d^2 / 2 score_sigma^2) of the nearest surface; 0: none in reach.
+  double Explained(const EndPoint& end) const;
+  // Whether a beam without a surface in reach ends where no beam has been, without having crossed a
+  // surface on its last decimetres.
+  bool IsUnknown(const EndPoint& end) const;
 
   const map::OccupancyGrid* grid_;
   const ScanPoints* points_;

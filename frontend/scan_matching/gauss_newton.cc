@@ -3,6 +3,7 @@
 #include <glog/logging.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -20,11 +21,37 @@ namespace {
 
 constexpr float kSingleHit = 1e-4f;  // in squared cells, beyond rounding
 
+// A direction bound by less than this many times what noise feigns is not bound.
+constexpr double kFeigned = 2.0;
+// Variance of the normal of a few hit means, rad^2.
+constexpr double kMapNormalVariance = 0.01;
+
 struct NormalEquations {
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
   double inliers = 0.0;
+  // Part of the hessian of (x, y) that normals off by their noise are expected to feign.
+  Eigen::Matrix2d feigned = Eigen::Matrix2d::Zero();
+
+  void KeepWhatIsBound();
 };
+
+// Takes out the direction that the scan binds least, as far as it may be the noise of the normals
+// that binds it: a corridor of noisy walls would hold the robot where it was last.
+void NormalEquations::KeepWhatIsBound() {
+  if (!(hessian(2, 2) > 0.0)) return;
+  const Eigen::Vector2d xy_theta = hessian.topRightCorner<2, 1>();
+  const Eigen::Matrix2d given_theta =
+      hessian.topLeftCorner<2, 2>() - xy_theta * xy_theta.transpose() / hessian(2, 2);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(given_theta);
+  const Eigen::Vector2d weakest = eigen.eigenvectors().col(0);
+  const double bound = eigen.eigenvalues()[0], noise = weakest.dot(feigned * weakest);
+  const double kept = bound > 0.0 ? std::clamp(1.0 - kFeigned * noise / bound, 0.0, 1.0) : 0.0;
+  Eigen::Matrix3d project = Eigen::Matrix3d::Identity();
+  project.topLeftCorner<2, 2>() -= (1.0 - kept) * weakest * weakest.transpose();
+  hessian = project * hessian * project;
+  gradient = project * gradient;
+}
 
 // LocalSurface::Information, less what it says along a wall: the window moves with the end point,
 // so that the spread of hit means along the wall is that of the window and binds nothing to its
@@ -64,9 +91,17 @@ NormalEquations Linearize(const map::OccupancyGrid& grid, const ScanPoints& poin
     if (!block.Covers(cell)) block.CopyFrom(grid, cell);
     LocalSurface surface;
     if (!surface.Fit(block, cell, x, y)) continue;
-    // A single hit has no direction; the next one on that wall may be anywhere along it.
-    if (surface.covariance.trace() < kSingleHit) continue;
-    const Eigen::Matrix2f information = AcrossWall(surface, noise_cells);
+    Eigen::Matrix2f information;
+    const Eigen::Vector2f normal(static_cast<float>(c * point.normal_x - s * point.normal_y),
+                                 static_cast<float>(s * point.normal_x + c * point.normal_y));
+    if (normal.squaredNorm() > 0.5f) {
+      information = normal * normal.transpose() /
+                    (noise_cells * noise_cells + normal.dot(surface.covariance * normal));
+    } else if (surface.covariance.trace() < kSingleHit) {
+      continue;
+    } else {
+      information = AcrossWall(surface, noise_cells);
+    }
     const Eigen::Vector2f toward = information * surface.offset;
     const double weight = 1.0f / (1.0f + surface.offset.dot(toward) / robust);
     // The error is the end point minus the surface; its derivative by (x, y, theta) is [I, n] with
@@ -85,8 +120,15 @@ NormalEquations Linearize(const map::OccupancyGrid& grid, const ScanPoints& poin
     const double fx = -weight * cells_per_m * toward.x(), fy = -weight * cells_per_m * toward.y();
     sum.gradient += Eigen::Vector3d(fx, fy, nx * fx + ny * fy);
     sum.inliers += weight;
+    const bool has_normal = normal.squaredNorm() > 0.5f;
+    const double variance = has_normal ? point.normal_variance : kMapNormalVariance;
+    sum.feigned(0, 0) += variance * yy;
+    sum.feigned(1, 0) -= variance * xy;
+    sum.feigned(1, 1) += variance * xx;
   }
   sum.hessian.triangularView<Eigen::StrictlyUpper>() = sum.hessian.transpose();
+  sum.feigned(0, 1) = sum.feigned(1, 0);
+  sum.KeepWhatIsBound();
   return sum;
 }
 
@@ -124,21 +166,16 @@ GaussNewton::Alignment GaussNewton::Align(const map::OccupancyGrid& grid, const 
 }
 
 MatchResult GaussNewton::Match(const map::OccupancyGrid& grid, const ScanPoints& points,
-                               const SE2& initial_world_T_robot) const {
-  return Match(grid, points, initial_world_T_robot, WeakPrior());
-}
-
-MatchResult GaussNewton::Match(const map::OccupancyGrid& grid, const ScanPoints& points,
                                const SE2& initial_world_T_robot,
                                const Eigen::Matrix3d& prior_information) const {
   const SE2 aligned = Align(grid, points, initial_world_T_robot, prior_information).world_T_robot;
   EndpointModel model(model_options_, &grid, &points);
-  const double initial_score = model.Score(initial_world_T_robot);
-  const double aligned_score = model.Score(aligned, initial_score);
-  const bool better = aligned_score > initial_score;
-  const double score = std::max(aligned_score, initial_score);
-  return {score >= options_.min_score && !points.empty(), better ? aligned : initial_world_T_robot,
-          score};
+  const double initial_fit = model.Evaluate(initial_world_T_robot).Fit();
+  const double aligned_fit = model.Evaluate(aligned).Fit();
+  const bool better = aligned_fit >= initial_fit;
+  const double fit = std::max(aligned_fit, initial_fit);
+  return {fit >= options_.min_score && !points.empty(), better ? aligned : initial_world_T_robot,
+          fit};
 }
 
 Eigen::Matrix3d GaussNewton::InformationAt(const map::OccupancyGrid& grid, const ScanPoints& points,

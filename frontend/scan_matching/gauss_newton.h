@@ -40,14 +40,10 @@ class GaussNewton : public ScanMatcher {
                   const backend::SE2& initial_world_T_robot,
                   const Eigen::Matrix3d& prior_information) const;
 
-  // The minimum where it scores higher than the initial pose, else that.
-  MatchResult Match(const map::OccupancyGrid& grid, const ScanPoints& points,
-                    const backend::SE2& initial_world_T_robot) const override;
-
-  // Likewise, with a prior as Align has it.
+  // The minimum where it fits at least as well as the initial pose, else that.
   MatchResult Match(const map::OccupancyGrid& grid, const ScanPoints& points,
                     const backend::SE2& initial_world_T_robot,
-                    const Eigen::Matrix3d& prior_information) const;
+                    const Eigen::Matrix3d& prior_information) const override;
 
   // A prior that decides nothing that any beam has a say in.
   static Eigen::Matrix3d WeakPrior() { return 1e-3 * Eigen::Matrix3d::Identity(); }

@@ -14,7 +14,8 @@ HillClimbing::HillClimbing(const Options& options, const EndpointModel::Options&
 }
 
 MatchResult HillClimbing::Match(const map::OccupancyGrid& grid, const ScanPoints& points,
-                                const SE2& initial_world_T_robot) const {
+                                const SE2& initial_world_T_robot,
+                                const Eigen::Matrix3d& /*prior_information*/) const {
   EndpointModel model(model_options_, &grid, &points);
   SE2 best = initial_world_T_robot;
   double best_score = model.Score(best);

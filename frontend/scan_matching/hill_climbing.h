@@ -19,7 +19,8 @@ class HillClimbing : public ScanMatcher {
   HillClimbing(const Options& options, const EndpointModel::Options& model_options);
 
   MatchResult Match(const map::OccupancyGrid& grid, const ScanPoints& points,
-                    const backend::SE2& initial_world_T_robot) const override;
+                    const backend::SE2& initial_world_T_robot,
+                    const Eigen::Matrix3d& prior_information) const override;
 
  private:
   Options options_;

@@ -2,6 +2,8 @@
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SCAN_MATCHER_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SCAN_MATCHER_H_
 
+#include <Eigen/Core>
+
 #include "backend/se2.h"
 #include "frontend/map/occupancy_grid.h"
 #include "frontend/scan_matching/scan_points.h"
@@ -20,8 +22,10 @@ class ScanMatcher {
   virtual ~ScanMatcher() = default;
 
   // Eq. (8): the pose near `initial_world_T_robot` at which the scan fits the map best.
+  // `prior_information`: how sure the initial pose is about (x, y, theta) in the world frame.
   virtual MatchResult Match(const map::OccupancyGrid& grid, const ScanPoints& points,
-                            const backend::SE2& initial_world_T_robot) const = 0;
+                            const backend::SE2& initial_world_T_robot,
+                            const Eigen::Matrix3d& prior_information) const = 0;
 };
 
 }  // namespace gmapping_spa::scan_matching

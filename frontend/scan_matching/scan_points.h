@@ -15,6 +15,12 @@ struct ScanPoint {
   double y_m = 0.0;
   double back_x = 0.0;
   double back_y = 0.0;
+  double range_m = 0.0;  // from the laser
+  // Unit normal of the surface there, from the neighbouring beams; (0, 0) where they do not meet one
+  // smooth surface.
+  double normal_x = 0.0;
+  double normal_y = 0.0;
+  double normal_variance = 0.0;  // rad^2, from the noise of the ranges
 };
 using ScanPoints = std::vector<ScanPoint>;
 

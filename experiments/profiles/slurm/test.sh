@@ -78,7 +78,7 @@ experiments/workflow/run_study.py "$study" --until scores --work_dir "$folder/sl
 experiments/workflow/run_study.py "$study" --until scores --work_dir "$folder/local"
 
 # Slurm's own record of the jobs: 1 log, 4 runs of which 2 fail as they should, 4 scores.
-for job in "simulate 1" "slam 4" "score 4"; do
+for job in "make_log 1" "slam 4" "score 4"; do
   read -r name expected <<<"$job"
   found=$(grep -c " Name=$name .*JobState=COMPLETED" "$folder/completed.txt")
   if [[ $found != "$expected" ]]; then

@@ -133,7 +133,8 @@ class StudyTest(workflow_test_case.WorkflowTestCase):
         (self.folder / "carmen").mkdir()
         for log in ("intel", "fr079", "aces"):
             self.write(f"carmen/{log}.clf.gz", "not read here")
-        studies = sorted((ROOT / "experiments" / "ablation").glob("*.yaml"))
+        studies = sorted(file for folder in ("ablation", "stress")
+                         for file in (ROOT / "experiments" / folder).glob("*.yaml"))
         self.assertGreater(len(studies), 1)
         for file in studies:
             for quick in (False, True):

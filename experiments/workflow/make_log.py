@@ -1,29 +1,33 @@
 #!/usr/bin/python3
-"""Makes one simulated log: run_simulate.py PLAN LOG_ID, from the folder of results."""
+"""Makes one simulated or stressed log: make_log.py PLAN LOG_ID, from the folder of results."""
 import json
 import pathlib
 import shutil
 import sys
 
 import commands
+import log_tools
 import results_folder
 
 
 def main() -> None:
     plan = json.loads(pathlib.Path(sys.argv[1]).read_text())
     log_id = sys.argv[2]
-    binary = pathlib.Path(plan["bin"]) / "simulate"
+    tool, argv = plan["logs"][log_id]["tool"], plan["logs"][log_id]["argv"]
+    binaries = pathlib.Path(plan["bin"])
     final = pathlib.Path("logs", log_id).absolute()
-    words = [str(binary), *plan["logs"][log_id]]
+    words = [str(log_tools.program(tool, binaries)), *argv]
     partial = results_folder.begin(final)
     try:
-        status, error = commands.execute([*words, f"--output_dir={partial}"])
+        status, error = commands.execute(
+            [*words, *log_tools.output_arguments(tool, argv, partial)])
         results_folder.commit(partial, final, {
-            "command": commands.command_line([*words, f"--output_dir={final}"], pathlib.Path.cwd(),
-                                             pathlib.Path(plan["data"])),
+            "command": commands.command_line(
+                [*words, *log_tools.output_arguments(tool, argv, final)], pathlib.Path.cwd(),
+                pathlib.Path(plan["data"])),
             "exit_status": status,
             "error": error,
-            "version": commands.version(binary),
+            "version": log_tools.version(tool, binaries),
         })
     except (commands.Interrupted, KeyboardInterrupt):
         sys.exit(f"log {log_id}: ended from outside")

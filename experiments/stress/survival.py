@@ -1,0 +1,114 @@
+#!/usr/bin/python3
+"""Writes the table "what it survives" of a study of stressed logs, as Markdown and CSV.
+
+    survival.py STUDY.yaml --work_dir=RESULTS [--quick] [--output=FOLDER]
+
+A row a stress, a column a log: the mean error of the relations (median over the seeds, the worst in
+brackets), and how many seeds failed. Who failed: a run that ended with an error or without a score,
+and one whose error is above the limit, which is a multiple of what the same log gives unstressed.
+"""
+import argparse
+import os
+import pathlib
+import statistics
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "experiments" / "workflow"))
+
+from logs import UNSTRESSED
+from make_report import measure
+from report.table import Shown, Table
+from study import StudyError, load_study
+
+METRIC = "relation_error_m"
+MULTIPLE, AT_LEAST_M = 1.25, 0.005  # of the unstressed error, and more than it
+# Little is left to see: a greater error is no failure.
+POOR_SIGHT = {"fov90", "range5_6", "every10", "thin", "thin1m"}
+MULTIPLE_OF_POOR_SIGHT = 2.5
+
+
+def limit_m(kind: str, unstressed_m: float) -> float:
+    """The error above which a seed has failed."""
+    multiple = MULTIPLE_OF_POOR_SIGHT if kind in POOR_SIGHT else MULTIPLE
+    return max(multiple * unstressed_m, unstressed_m + AT_LEAST_M)
+
+
+def log_and_kind(cell) -> tuple[str, str]:
+    """Logs with a list of stresses are called 'NAME KIND'."""
+    log, _, kind = cell.log.rpartition(" ")
+    return log, kind
+
+
+def entry(errors_m: list[float | None], limit: float | None) -> Shown | None:
+    """None: no run is there yet. Without a limit nothing can be called too large."""
+    if not errors_m:
+        return None
+    good = [error for error in errors_m if error is not None]
+    failed = sum(error is None or (limit is not None and error > limit) for error in errors_m)
+    median = statistics.median(good) if good else None
+    shown = f"{median:.4f} ({max(good):.4f})" if good else "–"
+    return Shown(f"{shown}, **{failed} of {len(errors_m)}**" if failed else shown, median)
+
+
+def survival(measured) -> Table:
+    rows, unstressed = {}, {}
+    for cell in measured.study.cells:
+        log, kind = log_and_kind(cell)
+        setting = tuple((k, v) for k, v in cell.coordinates().items() if k != "log" and v != "")
+        errors_m = list(measured.values(cell, METRIC).values())
+        rows.setdefault((kind, setting), {})[log] = errors_m
+        good = [error for error in errors_m if error is not None]
+        if kind == UNSTRESSED and good:
+            unstressed[setting, log] = statistics.median(good)
+    logs = list(dict.fromkeys(log_and_kind(cell)[0] for cell in measured.study.cells))
+    table = []
+    for (kind, setting), by_log in rows.items():
+        entries = []
+        for log in logs:
+            plain_m = unstressed.get((setting, log))
+            limit = None if plain_m is None else limit_m(kind, plain_m)
+            entries.append(entry(by_log.get(log, []), limit))
+        table.append([kind, *(value for _, value in setting), *entries])
+    settings = [name for name, _ in next(iter(rows))[1]]
+    return Table(
+        f"{measured.study.name}_survival",
+        f"{measured.study.title}: mean error of the relations in m, median over "
+        f"{len(measured.study.seeds)} seeds (the worst of those that ended), **how many failed**. "
+        "Failed is a run that ended with an error, or one whose error is above "
+        f"{MULTIPLE:g} x the unstressed median, or {1000 * AT_LEAST_M:g} mm more if that is more; "
+        f"above {MULTIPLE_OF_POOR_SIGHT:g} x for {', '.join(sorted(POOR_SIGHT))}.",
+        ["stress", *settings, *logs], table)
+
+
+def parse_arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("study", type=pathlib.Path, metavar="STUDY.yaml")
+    parser.add_argument("--work_dir", type=pathlib.Path, required=True, help="results of the runs")
+    parser.add_argument("--quick", action="store_true", help="the study's quick version")
+    parser.add_argument("--output", type=pathlib.Path, help="default: the work_dir's report/tables")
+    parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build" / "bin")
+    parser.add_argument("--data", type=pathlib.Path, default=pathlib.Path(
+        os.environ.get("GMAPPING_SPA_DATA", ROOT.parent / "shared" / "data")))
+    return parser.parse_args()
+
+
+def main() -> None:
+    args = parse_arguments()
+    output = args.output or args.work_dir / "report" / "tables"
+    try:
+        study = load_study(args.study, args.bin, args.data, args.quick)
+        for cell in study.cells:
+            if not all(log_and_kind(cell)):
+                raise StudyError(f"{args.study}: log '{cell.log}': expected a list of stresses, "
+                                 "found none")
+        table = survival(measure(study, args.work_dir))
+        table.write(output)
+    except (StudyError, OSError) as error:
+        sys.exit(f"survival.py: error: {error}")
+    print(f"table: {output / table.name}.md")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,64 @@
+#include "frontend/motion_prior.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gmapping_spa::frontend {
+
+using backend::SE2;
+
+Eigen::Matrix3d MotionHypothesis::Information() const {
+  return Eigen::Array3d(sigma_m, sigma_m, sigma_rad).square().inverse().matrix().asDiagonal();
+}
+
+double MotionHypothesis::SquaredDistance(const SE2& other) const {
+  const SE2 off = Between(motion, other);
+  return (off.x * off.x + off.y * off.y) / (sigma_m * sigma_m) +
+         off.theta * off.theta / (sigma_rad * sigma_rad);
+}
+
+double MotionHypothesis::LogDensity(const SE2& other) const {
+  return std::log(weight) - 0.5 * SquaredDistance(other) - 1.5 * std::log(2.0 * std::numbers::pi) -
+         std::log(sigma_m * sigma_m * sigma_rad);
+}
+
+MotionPrior::MotionPrior(const Options& options, const SE2& wheels, bool trust_wheels,
+                         const SE2& same_velocity, double duration_s) {
+  const double square_s2 = duration_s * duration_s;
+  const MotionHypothesis going_on{
+      .motion = same_velocity,
+      .sigma_m = options.velocity_floor_m + options.acceleration_m_s2 * square_s2,
+      .sigma_rad =
+          std::min(options.velocity_floor_rad + options.angular_acceleration_rad_s2 * square_s2,
+                   std::numbers::pi),
+      .weight = trust_wheels ? options.wheels_wrong : 1.0};
+  if (trust_wheels) {
+    const double linear_m = wheels.translation().norm(), angular_rad = std::abs(wheels.theta);
+    hypotheses_.push_back({.motion = wheels,
+                           .sigma_m = options.floor_m + options.m_per_m * linear_m,
+                           .sigma_rad = options.floor_rad + options.rad_per_m * linear_m +
+                                        options.rad_per_rad * angular_rad,
+                           .weight = 1.0 - options.wheels_wrong});
+  }
+  hypotheses_.push_back(going_on);
+  reach_m_ = std::max(options.max_speed_m_s * duration_s, going_on.sigma_m);
+  reach_rad_ = std::min(std::max(options.max_turn_rad_s * duration_s, going_on.sigma_rad),
+                        std::numbers::pi);
+  anything_density_ = options.anything / (4.0 * reach_m_ * reach_m_ * 2.0 * reach_rad_);
+}
+
+bool MotionPrior::GuessesAgree() const {
+  constexpr double kNineSigmas = 9.0;  // squared
+  return hypotheses_.back().SquaredDistance(hypotheses_.front().motion) < kNineSigmas;
+}
+
+double MotionPrior::LogDensity(const SE2& motion) const {
+  double density = anything_density_;
+  for (const MotionHypothesis& hypothesis : hypotheses_) {
+    density += std::exp(hypothesis.LogDensity(motion));
+  }
+  return std::log(density);
+}
+
+}  // namespace gmapping_spa::frontend

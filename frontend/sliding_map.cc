@@ -1,0 +1,82 @@
+#include "frontend/sliding_map.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "frontend/map/scan_registration.h"
+
+namespace gmapping_spa::frontend {
+
+using backend::SE2;
+
+namespace {
+
+// A search is made anew when the robot is this part of its reach away from where it was made.
+constexpr double kRenewAt = 0.25;
+
+// Hit means of the full cells within a square around the centre.
+std::vector<Eigen::Vector2d> Surfaces(const map::OccupancyGrid& grid, const SE2& centre,
+                                      double half_width_m) {
+  const double resolution_m = grid.resolution_m();
+  const map::OccupancyGrid::Extent extent = grid.KnownExtent();
+  const auto cell = [&](double m) { return map::FloorToCell(m / resolution_m); };
+  const int min_x = std::max(extent.min.x, cell(centre.x - half_width_m));
+  const int max_x = std::min(extent.max.x, cell(centre.x + half_width_m));
+  const int min_y = std::max(extent.min.y, cell(centre.y - half_width_m));
+  const int max_y = std::min(extent.max.y, cell(centre.y + half_width_m));
+  std::vector<Eigen::Vector2d> points;
+  for (int y = min_y; y < max_y; ++y) {
+    for (int x = min_x; x < max_x; x += 8) {
+      for (std::uint32_t bits = grid.FullBits({x, y}); bits != 0; bits &= bits - 1) {
+        const int column = x + std::countr_zero(bits);
+        const map::Cell& full = grid.cell({column, y});
+        constexpr double kPerUnit = 1.0 / map::Cell::kMeanScale;
+        points.emplace_back((column + kPerUnit * full.mean_x) * resolution_m,
+                            (y + kPerUnit * full.mean_y) * resolution_m);
+      }
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+SlidingMap::SlidingMap(const map::OccupancyGrid::Options& grid, int scans)
+    : grid_options_(grid), scans_(scans) {
+  CHECK_GE(scans, 2);
+}
+
+// Enters the scan into both maps. The second one is begun when the first is half full, and takes
+// its place when that is full: the map in use always holds the last half.
+void SlidingMap::Enter(const sensor::LaserScan& scan, const SE2& odom_T_robot) {
+  if (maps_.empty() || maps_.back().scans >= scans_ / 2) {
+    if (maps_.size() == 2) maps_.erase(maps_.begin());
+    maps_.push_back({map::OccupancyGrid(grid_options_)});
+  }
+  for (LocalMap& local : maps_) {
+    map::RegisterScan(scan, odom_T_robot, {}, &local.grid);
+    ++local.scans;
+  }
+  search_.reset();
+}
+
+void SlidingMap::Clear() {
+  maps_.clear();
+  search_.reset();
+}
+
+const scan_matching::CorrelativeMatcher& SlidingMap::Search(
+    const scan_matching::CorrelativeMatcher::Options& options, const SE2& odom_T_robot,
+    double reach_m) {
+  const double off_m = Between(search_centre_, odom_T_robot).translation().norm();
+  if (!search_ || off_m > kRenewAt * reach_m) {
+    search_centre_ = odom_T_robot;
+    search_ = std::make_unique<scan_matching::CorrelativeMatcher>(
+        options, Surfaces(grid(), odom_T_robot, (1.0 + kRenewAt) * reach_m));
+  }
+  return *search_;
+}
+
+}  // namespace gmapping_spa::frontend

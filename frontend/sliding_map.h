@@ -1,0 +1,48 @@
+// The map of the last metres, for scan-matched odometry.
+#ifndef GMAPPING_SPA_FRONTEND_SLIDING_MAP_H_
+#define GMAPPING_SPA_FRONTEND_SLIDING_MAP_H_
+
+#include <memory>
+#include <vector>
+
+#include "backend/se2.h"
+#include "frontend/map/occupancy_grid.h"
+#include "frontend/scan_matching/correlative_matching.h"
+#include "frontend/sensor/laser_scan.h"
+
+namespace gmapping_spa::frontend {
+
+// Holds the last scans entered, between half of `scans` and all of them.
+class SlidingMap {
+ public:
+  SlidingMap(const map::OccupancyGrid::Options& grid, int scans);
+
+  bool empty() const { return maps_.empty(); }
+  const map::OccupancyGrid& grid() const { return maps_.front().grid; }
+
+  void Enter(const sensor::LaserScan& scan, const backend::SE2& odom_T_robot);
+  // Forgets everything.
+  void Clear();
+
+  // For an exhaustive search of the surroundings of the robot; made when it is first asked for
+  // after a change.
+  const scan_matching::CorrelativeMatcher& Search(
+      const scan_matching::CorrelativeMatcher::Options& options, const backend::SE2& odom_T_robot,
+      double reach_m);
+
+ private:
+  struct LocalMap {
+    map::OccupancyGrid grid;
+    int scans = 0;
+  };
+
+  map::OccupancyGrid::Options grid_options_;
+  int scans_;
+  std::vector<LocalMap> maps_;  // the one in use and the one to replace it
+  std::unique_ptr<scan_matching::CorrelativeMatcher> search_;
+  backend::SE2 search_centre_;
+};
+
+}  // namespace gmapping_spa::frontend
+
+#endif  // GMAPPING_SPA_FRONTEND_SLIDING_MAP_H_
