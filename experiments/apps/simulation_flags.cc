@@ -103,6 +103,11 @@ namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
+[[noreturn]] void FailFlag(const std::string& flag, const std::string& text,
+                           const std::string& message) {
+  throw std::runtime_error("--" + flag + "=" + text + ": " + message);
+}
+
 // Comma-separated finite numbers.
 std::vector<double> Numbers(const std::string& flag, const std::string& text) {
   std::vector<double> numbers;
@@ -111,8 +116,7 @@ std::vector<double> Numbers(const std::string& flag, const std::string& text) {
     double value = 0.0;
     char rest = 0;
     if (std::sscanf(item.c_str(), "%lf%c", &value, &rest) != 1 || !std::isfinite(value)) {
-      throw std::runtime_error("--" + flag + "=" + text + ": expected a number, found '" + item +
-                               "'");
+      FailFlag(flag, text, "expected a number, found '" + item + "'");
     }
     numbers.push_back(value);
   }
@@ -122,8 +126,7 @@ std::vector<double> Numbers(const std::string& flag, const std::string& text) {
 backend::SE2 LaserMount() {
   const std::vector<double> pose = Numbers("laser_mount", FLAGS_laser_mount);
   if (pose.size() != 3 || !(std::hypot(pose[0], pose[1]) <= 100.0 && std::abs(pose[2]) <= 360.0)) {
-    throw std::runtime_error("--laser_mount=" + FLAGS_laser_mount +
-                             ": expected x,y,theta within 100 m and 360 degrees");
+    FailFlag("laser_mount", FLAGS_laser_mount, "expected x,y,theta within 100 m and 360 degrees");
   }
   return {pose[0], pose[1], backend::WrapAngle(pose[2] * kRadPerDeg)};
 }
@@ -137,8 +140,7 @@ std::vector<simulation::TimeSpan> TimeSpans(const std::string& flag, const std::
   const bool ascending =
       std::adjacent_find(times_s.begin(), times_s.end(), std::greater_equal<>()) == times_s.end();
   if (times_s.size() % 2 != 0 || !ascending) {
-    throw std::runtime_error("--" + flag + "=" + text +
-                             ": expected an even number of ascending times");
+    FailFlag(flag, text, "expected an even number of ascending times");
   }
   return spans;
 }
