@@ -144,7 +144,66 @@ void DrawDisc(cairo_t* context, const View& view, const backend::SE2& pose, cons
   cairo_stroke(context);
 }
 
-void DrawTrajectory(cairo_t* context, const Trajectory& trajectory, const View& view) {
+// A kind of stretch and its lines: a broad one, and on it a dashed one (of no width: none).
+struct StretchStyle {
+  const char* kind;
+  Color color;
+  double width_px;
+  Color dash_color;
+  double dash_width_px;
+};
+constexpr StretchStyle kStretchStyles[] = {
+    {"ambiguous", {0.90, 0.00, 0.90}, 5.0, {}, 0.0},
+    {"lost", {1.00, 1.00, 1.00}, 7.0, {0.00, 0.00, 0.00}, 3.0},
+};
+
+// Strokes the current path and forgets it.
+void Stroke(cairo_t* context, const StretchStyle& style) {
+  cairo_set_source_rgb(context, style.color.red, style.color.green, style.color.blue);
+  cairo_set_line_width(context, style.width_px);
+  cairo_stroke_preserve(context);
+  if (style.dash_width_px > 0.0) {
+    constexpr double kDash_px[] = {6.0, 4.0};
+    cairo_set_source_rgb(context, style.dash_color.red, style.dash_color.green,
+                         style.dash_color.blue);
+    cairo_set_line_width(context, style.dash_width_px);
+    cairo_set_dash(context, kDash_px, std::size(kDash_px), 0.0);
+    cairo_stroke_preserve(context);
+    cairo_set_dash(context, nullptr, 0, 0.0);
+  }
+  cairo_new_path(context);
+}
+
+bool Has(const Stretches& stretches, const char* kind) {
+  const auto found = stretches.find(kind);
+  return found != stretches.end() && !found->second.empty();
+}
+
+void DrawStretches(cairo_t* context, const Trajectory& finite, const Stretches& stretches,
+                   const View& view) {
+  const auto before = [](const StampedPose& pose, double stamp_s) {
+    return pose.stamp_s < stamp_s;
+  };
+  const auto after = [](double stamp_s, const StampedPose& pose) { return stamp_s < pose.stamp_s; };
+  for (const StretchStyle& style : kStretchStyles) {
+    if (!Has(stretches, style.kind)) continue;
+    for (const frontend::Stretch& stretch : stretches.at(style.kind)) {
+      auto begin = std::lower_bound(finite.begin(), finite.end(), stretch.begin_s, before);
+      auto end = std::upper_bound(begin, finite.end(), stretch.end_s, after);
+      // The lines to its neighbors are part of it, so that a single scan shows.
+      if (begin != finite.begin()) --begin;
+      if (end != finite.end()) ++end;
+      for (; begin != end; ++begin) {
+        const backend::SE2& pose = begin->world_T_robot;
+        cairo_line_to(context, view.Column(pose.x), view.Row(pose.y));
+      }
+      Stroke(context, style);
+    }
+  }
+}
+
+void DrawTrajectory(cairo_t* context, const Trajectory& trajectory, const Stretches& stretches,
+                    const View& view) {
   // Strokes of many poses, not of one: colours change slowly, and joints of strokes would show.
   constexpr std::size_t kStrokes = 256;
   Trajectory finite;
@@ -165,8 +224,25 @@ void DrawTrajectory(cairo_t* context, const Trajectory& trajectory, const View& 
     cairo_set_source_rgb(context, color.red, color.green, color.blue);
     cairo_stroke(context);
   }
+  DrawStretches(context, finite, stretches, view);
   DrawDisc(context, view, finite.front().world_T_robot, {0.10, 0.65, 0.20});
   DrawDisc(context, view, finite.back().world_T_robot, {0.85, 0.10, 0.10});
+}
+
+// In the strip below the map, from the middle of its width on: a sample of each kind of stretch.
+void DrawLegend(cairo_t* context, const Stretches& stretches, const View& view) {
+  double x = view.width_px() / 2.0;
+  const double y = view.height_px() + kLegendHeightPx - 18.0;
+  for (const StretchStyle& style : kStretchStyles) {
+    if (!Has(stretches, style.kind)) continue;
+    cairo_move_to(context, x, y - 6.0);
+    cairo_line_to(context, x + 40.0, y - 6.0);
+    Stroke(context, style);
+    cairo_set_source_rgb(context, 0.15, 0.15, 0.15);
+    cairo_move_to(context, x + 50.0, y + 2.0);
+    cairo_show_text(context, style.kind);
+    x += 180.0;
+  }
 }
 
 // In the strip below the map: the longest of 1, 2, 5, 10, ... m within a quarter of the width.
@@ -202,14 +278,15 @@ void DrawScaleBar(cairo_t* context, const View& view) {
 }  // namespace
 
 void WriteMapPicture(const TrinaryMap& map, const Trajectory& trajectory,
-                     const std::string& png_path) {
+                     const std::string& png_path, const Stretches& stretches) {
   const View view = Fit(map, trajectory);
   const PngCanvas canvas(view.width_px(), view.height_px() + kLegendHeightPx);
   if (cairo_surface_status(canvas.surface()) == CAIRO_STATUS_SUCCESS) {
     PaintMap(canvas.surface(), map, view);
   }
-  DrawTrajectory(canvas.context(), trajectory, view);
+  DrawTrajectory(canvas.context(), trajectory, stretches, view);
   DrawScaleBar(canvas.context(), view);
+  DrawLegend(canvas.context(), stretches, view);
   canvas.Write(png_path);
 }
 
