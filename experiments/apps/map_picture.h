@@ -2,18 +2,13 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_MAP_PICTURE_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_MAP_PICTURE_H_
 
-#include <map>
 #include <string>
-#include <vector>
 
 #include "backend/trajectory_io.h"
-#include "frontend/health.h"
+#include "experiments/apps/trajectory_drawing.h"
 #include "frontend/map/trinary_map.h"
 
 namespace gmapping_spa::apps {
-
-// By kind, as frontend::Health has them.
-using Stretches = std::map<std::string, std::vector<frontend::Stretch>>;
 
 // Draws the known part of the map (unknown grey, free white, occupied black, y upward) with the
 // trajectory, whose poses are in the map's frame and in order of time, as a line from blue to red,
