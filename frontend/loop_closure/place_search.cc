@@ -51,6 +51,7 @@ void PlaceSearch::Add(const std::vector<SE2>& world_T_nodes, const ScanOfNode& s
 
 // Whether a shift leaves too much as it is, as in a corridor.
 bool PlaceSearch::IsDistinct(const std::vector<Eigen::Vector2d>& points) const {
+  if (points.empty()) return false;
   scan_matching::CorrelativeMatcher::Options options = options_.search;
   options.second_floor = 0.9 * options_.max_likeness;
   const scan_matching::CorrelativeMatcher search(options, points);
