@@ -23,11 +23,11 @@ FinalRound::FinalRound(const Options& options, Run run)
 
 Estimate FinalRound::Finish(backend::PoseGraph path) {
   backend::PoseGraph graph = path;
-  Optimize(path, &graph);
+  OptimizeAndReview(path, &graph);
   const auto scan_of_node = [this](int node) { return ScanOfNode(node); };
   for (int round = 0; run_.loop_closer && round < options_.closing_rounds; ++round) {
     if (run_.loop_closer->UpdateAll(backend::PosesOf(graph), scan_of_node) == 0) break;
-    Optimize(path, &graph);
+    OptimizeAndReview(path, &graph);
   }
 
   backend::Trajectory trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
@@ -57,6 +57,16 @@ void FinalRound::Optimize(const backend::PoseGraph& path, backend::PoseGraph* gr
     graph->edges.insert(graph->edges.end(), closures.begin(), closures.end());
   }
   if (std::optional<backend::PoseGraph> optimized = run_.optimize(*graph)) *graph = *optimized;
+}
+
+// Lets go of closures that the rest of the graph contradicts, until there are none.
+void FinalRound::OptimizeAndReview(const backend::PoseGraph& path,
+                                   backend::PoseGraph* graph) const {
+  Optimize(path, graph);
+  for (int round = 0; run_.loop_closer && round < options_.review_rounds; ++round) {
+    if (run_.loop_closer->Review(backend::PosesOf(*graph)) == 0) break;
+    Optimize(path, graph);
+  }
 }
 
 // Aligns every scan with the map that the nodes' scans make: for the scans in between, a map made
