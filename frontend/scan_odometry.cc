@@ -122,10 +122,12 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
     sum += std::exp(nats);
   }
   if (result.alternatives.size() == 1) result.alternatives.clear();
-  for (ScanMotion::Alternative& alternative : result.alternatives) alternative.probability /= sum;
+  for (auto& alternative : result.alternatives) alternative.probability /= sum;
 
+  // A map must not hold both sides of a step that may be wrong.
+  if (!result.alternatives.empty()) map_.Clear();
   const SE2 since_entered = Between(odom_T_entered_, odom_T_robot_);
-  if (since_entered.translation().norm() > options_.enter_m ||
+  if (map_.empty() || since_entered.translation().norm() > options_.enter_m ||
       std::abs(since_entered.theta) > options_.enter_rad) {
     odom_T_entered_ = odom_T_robot_;
     map_.Enter(scan, odom_T_robot_);

@@ -8,6 +8,7 @@
 #include "backend/se2.h"
 #include "frontend/map/occupancy_grid.h"
 #include "frontend/motion_prior.h"
+#include "frontend/particle_filter/particle_filter.h"
 #include "frontend/scan_matching/correlative_matching.h"
 #include "frontend/scan_matching/endpoint_model.h"
 #include "frontend/scan_matching/gauss_newton.h"
@@ -20,14 +21,9 @@ namespace gmapping_spa::frontend {
 
 // What a scan says about the motion since the scan before.
 struct ScanMotion {
-  struct Alternative {
-    backend::SE2 motion;
-    double probability = 0.0;
-  };
-
   backend::SE2 motion;  // the likeliest
   // All motions that the scan does not tell apart, the likeliest first; empty when there is one.
-  std::vector<Alternative> alternatives;
+  std::vector<particle_filter::ParticleFilter::Control> alternatives;
   bool searched = false;         // whether the guesses did not do and a window was searched
   bool wheels_rejected = false;  // whether the motion is not what the wheels say
   bool wheels_silent = false;    // whether the wheels stand still while the robot moves

@@ -61,13 +61,14 @@ void SlamRun::Finish(const std::function<Json()>& input, const sensor::LogCounts
   files->Write("loop_closures.csv", [&](std::ostream& out) {
     WriteClosures(gmapping_.loop_closer().records(), estimate.graph.nodes, out);
   });
-  WriteMapPicture(map, by_time, files->TemporaryPath("map.png"));
+  WriteMapPicture(map, by_time, files->TemporaryPath("map.png"), gmapping_.health().stretches());
   stopwatch_.Lap("writing_s");
-  const Json health = HealthRecord({}, log_counts);
+  const Json health = HealthRecord(gmapping_.health(), log_counts);
   const Json record = MakeRunRecord(input(), gmapping_, map, health, stopwatch_);
   files->Write("run.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
   ThrowIfInterrupted();
   WarnOf(log_counts);
+  gmapping_.health().LogSummary();
 }
 
 }  // namespace gmapping_spa::apps
