@@ -49,21 +49,25 @@ Estimate FinalRound::Finish(backend::PoseGraph path) {
 }
 
 // Optimizes the path with all closures, from the poses that `graph` has. They stay when the back
-// end fails.
-void FinalRound::Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const {
+// end fails. Returns whether it moved them.
+bool FinalRound::Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const {
   graph->edges = path.edges;
   if (run_.loop_closer) {
     const std::vector<backend::Edge>& closures = run_.loop_closer->closures();
     graph->edges.insert(graph->edges.end(), closures.begin(), closures.end());
   }
-  if (std::optional<backend::PoseGraph> optimized = run_.optimize(*graph)) *graph = *optimized;
+  const std::optional<backend::PoseGraph> optimized = run_.optimize(*graph);
+  if (!optimized || backend::PosesOf(*optimized) == backend::PosesOf(*graph)) return false;
+  *graph = *optimized;
+  return true;
 }
 
-// Lets go of closures that the rest of the graph contradicts, until there are none.
+// Lets go of closures that the rest of the graph contradicts, until there are none. A back end that
+// moved nothing contradicts nothing.
 void FinalRound::OptimizeAndReview(const backend::PoseGraph& path,
                                    backend::PoseGraph* graph) const {
-  Optimize(path, graph);
-  for (int round = 0; run_.loop_closer && round < options_.review_rounds; ++round) {
+  if (!Optimize(path, graph) || !run_.loop_closer) return;
+  for (int round = 0; round < options_.review_rounds; ++round) {
     if (run_.loop_closer->Review(backend::PosesOf(*graph)) == 0) break;
     Optimize(path, graph);
   }

@@ -56,7 +56,7 @@ class FinalRound {
   Estimate Finish(backend::PoseGraph path);
 
  private:
-  void Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
+  bool Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
   void OptimizeAndReview(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
   void RefineScans(backend::Trajectory* trajectory) const;
   void MeasureAnew(const backend::Trajectory& trajectory, backend::PoseGraph* path) const;

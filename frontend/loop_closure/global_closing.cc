@@ -218,7 +218,8 @@ GlobalCloser::Decisions GlobalCloser::Decide(const Call& call) {
       is_believed = !Contradict(options_.proof, call.path, *call.records, sets_[k], sets_[other]);
     }
     if (is_believed) {
-      decisions.accept.insert(decisions.accept.end(), proven[k].begin(), proven[k].end());
+      std::vector<std::size_t>& list = sets_[k].is_accepted ? decisions.accept : decisions.restore;
+      list.insert(list.end(), proven[k].begin(), proven[k].end());
     } else if (sets_[k].is_accepted) {
       decisions.release.insert(decisions.release.end(), sets_[k].members.begin(),
                                sets_[k].members.end());

@@ -43,6 +43,7 @@ class GlobalCloser {
   struct Decisions {
     std::vector<std::size_t> accept;
     std::vector<std::size_t> release;
+    std::vector<std::size_t> restore;  // accept, although released before
   };
 
   GlobalCloser(const Options& options, const Verifier& verifier, const DriftModel& drift,

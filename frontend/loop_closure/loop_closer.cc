@@ -49,17 +49,22 @@ int LoopCloser::UpdateAll(const std::vector<SE2>& world_T_nodes, const ScanOfNod
 }
 
 int LoopCloser::Follow(const GlobalCloser::Decisions& decisions) {
-  int accepted = 0;
-  for (const std::size_t position : decisions.release) Release(position);
-  for (const std::size_t position : decisions.accept) {
-    // Those that the graph contradicted come back when it no longer does, see Review.
-    if (records_[position].verdict != Verdict::kUnconfirmed || IsClosed(records_[position])) {
-      continue;
+  int changed = 0;
+  for (const std::size_t position : decisions.release) changed += Release(position) ? 1 : 0;
+  const auto accept = [&](const std::vector<std::size_t>& positions, bool restore) {
+    for (const std::size_t position : positions) {
+      const ClosureRecord& record = records_[position];
+      const bool is_open = record.verdict == Verdict::kUnconfirmed ||
+                           (restore && record.verdict == Verdict::kReleased);
+      if (!is_open || IsClosed(record)) continue;
+      Accept(position);
+      ++changed;
     }
-    Accept(position);
-    ++accepted;
-  }
-  return accepted;
+  };
+  accept(decisions.restore, true);
+  // Those of a believed set that Review has released come back when it says so.
+  accept(decisions.accept, false);
+  return changed;
 }
 
 int LoopCloser::Review(const std::vector<SE2>& world_T_nodes) {
@@ -152,12 +157,13 @@ void LoopCloser::Accept(std::size_t position) {
                        .kind = backend::EdgeKind::kLoopClosure});
 }
 
-void LoopCloser::Release(std::size_t position) {
+bool LoopCloser::Release(std::size_t position) {
   const auto found = std::find(accepted_.begin(), accepted_.end(), position);
-  if (found == accepted_.end()) return;
+  if (found == accepted_.end()) return false;
   records_[position].verdict = Verdict::kReleased;
   closures_.erase(closures_.begin() + (found - accepted_.begin()));
   accepted_.erase(found);
+  return true;
 }
 
 }  // namespace gmapping_spa::loop_closure

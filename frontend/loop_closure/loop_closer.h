@@ -37,7 +37,8 @@ class LoopCloser {
   explicit LoopCloser(const Options& options);
 
   // Looks for closures of the node that the path has left behind by the reach of the verifier's
-  // scans: at most one node a call. Returns the number of newly accepted closures.
+  // scans: at most one node a call. Returns the number of closures that are newly
+  // accepted or released.
   int Update(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node);
 
   // Looks for closures of all nodes, with what is known by now.
@@ -62,7 +63,7 @@ class LoopCloser {
   int Follow(const GlobalCloser::Decisions& decisions);
   bool IsClosed(const ClosureRecord& record) const;
   void Accept(std::size_t position);
-  void Release(std::size_t position);
+  bool Release(std::size_t position);
 
   Options options_;
   Verifier verifier_;

@@ -29,25 +29,36 @@ double Overlap(const map::OccupancyGrid& map, const scan_matching::ScanPoints& p
   return static_cast<double>(known) / static_cast<double>(points.size());
 }
 
-// Part of the points in the known part of the map that end at an obstacle, or a cell away.
-double ExplainedPart(const map::OccupancyGrid& map, const scan_matching::ScanPoints& points,
-                     const SE2& map_T_scan, double full_threshold) {
+// Of the points in the known part of the map those that end near an obstacle.
+struct Explanation {
+  int known = 0;
+  int explained = 0;
+  double part() const { return known > 0 ? static_cast<double>(explained) / known : 0.0; }
+};
+
+Explanation Explain(const map::OccupancyGrid& map, const scan_matching::ScanPoints& points,
+                    const SE2& map_T_scan, double full_threshold, int reach_cells) {
   const double cells_per_m = 1.0 / map.resolution_m();
-  int known = 0, explained = 0;
+  Explanation explanation;
   for (const scan_matching::ScanPoint& point : points) {
     const Eigen::Vector2d at = map_T_scan * Eigen::Vector2d(point.x_m, point.y_m) * cells_per_m;
     const map::CellIndex cell{map::FloorToCell(at.x()), map::FloorToCell(at.y())};
     if (map.cell(cell).visits == 0) continue;
-    ++known;
+    ++explanation.known;
     bool found = false;
-    for (int k = 0; k < 9 && !found; ++k) {
-      const map::Cell& near = map.cell({cell.x + k % 3 - 1, cell.y + k / 3 - 1});
-      found = near.hits > full_threshold * near.visits;
+    for (int y = -reach_cells; y <= reach_cells && !found; ++y) {
+      for (int x = -reach_cells; x <= reach_cells && !found; ++x) {
+        const map::Cell& near = map.cell({cell.x + x, cell.y + y});
+        found = near.hits > full_threshold * near.visits;
+      }
     }
-    explained += found ? 1 : 0;
+    explanation.explained += found ? 1 : 0;
   }
-  return known > 0 ? static_cast<double>(explained) / known : 0.0;
+  return explanation;
 }
+
+// Within which a pose that was predicted and not found is taken to be right.
+constexpr double kPredicted_m = 0.3;
 
 // No local map is better than this, whatever the number of points.
 constexpr double kFloor_m = 0.01;
@@ -107,21 +118,24 @@ ClosureRecord Verifier::VerifyAt(const std::vector<SE2>& world_T_nodes,
                                  const ScanOfNode& scan_of_node, int node,
                                  const Candidate& candidate, const Expectation& expectation) const {
   ClosureRecord record = Compare(world_T_nodes, scan_of_node, node, candidate, expectation);
-  if (record.verdict == Verdict::kUnconfirmed) {
-    record.mutual_fit = MutualFit(world_T_nodes, scan_of_node, record);
-    if (record.mutual_fit < options_.min_mutual_fit) record.verdict = Verdict::kSeenThrough;
+  if (record.verdict != Verdict::kUnconfirmed && record.verdict != Verdict::kOverlap) return record;
+  const bool is_found = record.verdict == Verdict::kUnconfirmed;
+  const NodeRange old_nodes = NodesAround(world_T_nodes, candidate.old_node, options_.old_reach_m);
+  const NodeRange new_nodes = NodesAround(world_T_nodes, node, options_.new_reach_m);
+  const scan_matching::ScanPoints points =
+      JoinScans(world_T_nodes, scan_of_node, old_nodes, candidate.old_node, options_.cell_m);
+  const Explanation explanation = Explain(
+      BuildLocalMap(world_T_nodes, scan_of_node, new_nodes, node, options_.grid), points,
+      Inverse(is_found ? record.old_T_node : expectation.old_T_node), options_.grid.full_threshold,
+      is_found ? 1 : static_cast<int>(std::ceil(kPredicted_m / options_.grid.resolution_m)));
+  record.mutual_fit = explanation.part();
+  // Where new scans see little that is known, what they see through still speaks.
+  const bool says_much = is_found || explanation.known >= 0.5 * options_.min_expected_overlap *
+                                                              static_cast<double>(points.size());
+  if (says_much && record.mutual_fit < options_.min_mutual_fit) {
+    record.verdict = Verdict::kSeenThrough;
   }
   return record;
-}
-
-double Verifier::MutualFit(const std::vector<SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
-                           const ClosureRecord& record) const {
-  const NodeRange old_nodes = NodesAround(world_T_nodes, record.old_node, options_.old_reach_m);
-  const NodeRange new_nodes = NodesAround(world_T_nodes, record.node, options_.new_reach_m);
-  return ExplainedPart(
-      BuildLocalMap(world_T_nodes, scan_of_node, new_nodes, record.node, options_.grid),
-      JoinScans(world_T_nodes, scan_of_node, old_nodes, record.old_node, options_.cell_m),
-      Inverse(record.old_T_node), options_.grid.full_threshold);
 }
 
 ClosureRecord Verifier::Compare(const std::vector<SE2>& world_T_nodes,

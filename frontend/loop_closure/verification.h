@@ -63,8 +63,6 @@ class Verifier {
   ClosureRecord Compare(const std::vector<backend::SE2>& world_T_nodes,
                         const ScanOfNode& scan_of_node, int node, const Candidate& candidate,
                         const Expectation& expectation) const;
-  double MutualFit(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
-                   const ClosureRecord& record) const;
   scan_matching::SearchWindow WindowOf(const Candidate& candidate) const;
   scan_matching::CorrelativeMatcher::Options SearchOptions(
       const scan_matching::SearchWindow& window) const;

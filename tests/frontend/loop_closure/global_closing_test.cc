@@ -17,8 +17,9 @@ using backend::SE2;
 using synthetic::FarDrive;
 
 // As in a run, with numbers on which the tests rely.
-LoopCloser CloseLoops(const FarDrive& drive, bool everywhere = true) {
+LoopCloser CloseLoops(const FarDrive& drive, bool everywhere = true, double min_span_m = 12.0) {
   LoopCloser::Options options;
+  options.global.proof.min_span_m = min_span_m;
   options.drift = {.floor_m = 0.1, .m_per_m = 0.01, .floor_rad = 0.01, .rad_per_m = 0.0005};
   options.search_everywhere = everywhere;
   LoopCloser closer(options);
@@ -82,6 +83,16 @@ TEST(GlobalCloser, ATwinOfAPartIsNotTakenForTheSame) {
   const LoopCloser closer = CloseLoops(drive);
   EXPECT_TRUE(closer.closures().empty());
   EXPECT_TRUE(HasRecognized(closer));
+}
+
+TEST(GlobalCloser, ASetThatMeetsContradictionsLaterIsReleased) {
+  // Believed too early, while the twin still looks the same.
+  const FarDrive drive(700.0, synthetic::TwinOfTheFirstSide(), 40.0, kFarOff);
+  const LoopCloser closer = CloseLoops(drive, /*everywhere=*/true, /*min_span_m=*/3.0);
+  EXPECT_TRUE(closer.closures().empty());
+  EXPECT_TRUE(std::any_of(
+      closer.records().begin(), closer.records().end(),
+      [](const ClosureRecord& record) { return record.verdict == Verdict::kReleased; }));
 }
 
 }  // namespace
