@@ -66,6 +66,7 @@ std::vector<std::size_t> ProvenMembers(const ProofOptions& options, const DriftM
   if (count < options.min_per_contradiction * set.contradictions) return {};
   double gate = std::numeric_limits<double>::infinity();
   for (const std::size_t member : members) gate = std::min(gate, records[member].gate);
+  if (gate > options.impossible_gate) return {};
   const double min_span_m = options.min_span_m * std::sqrt(std::max(gate / options.max_gate, 1.0));
   return SpanOf(path, records, members) >= min_span_m ? members : std::vector<std::size_t>();
 }

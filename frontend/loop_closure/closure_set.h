@@ -34,6 +34,9 @@ struct ProofOptions {
   // deviations beyond that: a corridor may look the same for 50 m, turned around.
   double min_span_m = 12.0;
   double max_gate = 13.8;            // up to which drift explains it
+  // No look of a building proves what drift can not have done: ten standard deviations, squared. A
+  // building with two wings alike shows the same for as long as one drives.
+  double impossible_gate = 100.0;
   double min_per_contradiction = 3;  // members
   double consistent_sigmas = 2.0;    // of the drift on the way, for two members to go together
   // Another hypothesis of the same stretch that is more than this off, and proven by at least this

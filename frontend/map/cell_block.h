@@ -20,6 +20,7 @@ class CellBlock {
   void CopyFrom(const OccupancyGrid& grid, CellIndex centre) {
     corner_ = {centre.x - kCentre, centre.y - kCentre};
     full_ = 0;
+    often_hit_ = 0;
     for (int row = 0; row < kSize; ++row) {
       const std::uint64_t bits = grid.FullBits({corner_.x, corner_.y + row});
       full_ |= bits << (kSize * row);
@@ -31,6 +32,7 @@ class CellBlock {
       const int column = bit % kSize, row = bit / kSize;
       const Cell& cell = grid.cell({corner_.x + column, corner_.y + row});
       constexpr float kPerUnit = 1.0f / Cell::kMeanScale;
+      if (cell.hits >= kOften) often_hit_ |= std::uint64_t{1} << bit;
       x_[bit] = static_cast<float>(column) + kPerUnit * cell.mean_x;
       y_[bit] = static_cast<float>(row) + kPerUnit * cell.mean_y;
     }
@@ -43,13 +45,19 @@ class CellBlock {
            static_cast<unsigned>(index.y - corner_.y - 2) < kSize - 4;
   }
 
+  // How many full cells of the 3 x 3 neighbourhood of the cell have been hit often: their hit means
+  // are good to a fraction of the noise of a range.
+  int CountOftenHit(CellIndex index) const {
+    const int column = index.x - corner_.x, row = index.y - corner_.y;
+    return std::popcount(often_hit_ & kThreeByThree << (kSize * (row - 1) + column - 1));
+  }
+
   // Calls visit(x, y) with the hit mean, in cells relative to the corner of the cell `index`, of
   // every full cell of its 3 x 3 neighbourhood whose own neighbour in direction (dx, dy), each -1,
   // 0 or 1 and not both 0, is not full.
   template <typename Visit>
   void ForEachFullNeighbour(CellIndex index, int dx, int dy, const Visit& visit) const {
     const int column = index.x - corner_.x, row = index.y - corner_.y;
-    constexpr std::uint64_t kThreeByThree = 0x070707;
     const int toward = kSize * dy + dx;
     const std::uint64_t blocked = toward > 0 ? full_ >> toward : full_ << -toward;
     std::uint64_t rest = full_ & ~blocked & kThreeByThree << (kSize * (row - 1) + column - 1);
@@ -78,10 +86,13 @@ class CellBlock {
  private:
   static constexpr int kSize = 8;
   static constexpr int kCentre = 3;
+  static constexpr int kOften = 3;  // hits
+  static constexpr std::uint64_t kThreeByThree = 0x070707;
   static constexpr float kFarAway = 1e6f;
 
   CellIndex corner_{-2 * kMaxCellIndex, -2 * kMaxCellIndex};  // covers nothing
   std::uint64_t full_ = 0;                                    // bit kSize * row + column
+  std::uint64_t often_hit_ = 0;
   // Hit means from the corner of the block.
   std::array<float, kSize * kSize> x_;
   std::array<float, kSize * kSize> y_;

@@ -21,10 +21,13 @@ namespace {
 
 constexpr float kSingleHit = 1e-4f;  // in squared cells, beyond rounding
 
-// A direction bound by less than this many times what noise feigns is not bound.
+// A direction bound by less than this many times what noise feigns is not bound, one bound by twice
+// that is.
 constexpr double kFeigned = 2.0;
-// Variance of the normal of a few hit means, rad^2.
-constexpr double kMapNormalVariance = 0.01;
+// Variance of the normal of hit means, rad^2.
+constexpr double kMapNormalVariance = 0.005;
+// The map knows how a wall runs where so many cells around have been hit often.
+constexpr int kCellsOfWall = 2;
 
 struct NormalEquations {
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
@@ -46,7 +49,7 @@ void NormalEquations::KeepWhatIsBound() {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(given_theta);
   const Eigen::Vector2d weakest = eigen.eigenvectors().col(0);
   const double bound = eigen.eigenvalues()[0], noise = weakest.dot(feigned * weakest);
-  const double kept = bound > 0.0 ? std::clamp(1.0 - kFeigned * noise / bound, 0.0, 1.0) : 0.0;
+  const double kept = std::clamp(bound / (kFeigned * noise + 1e-9) - 1.0, 0.0, 1.0);
   Eigen::Matrix3d project = Eigen::Matrix3d::Identity();
   project.topLeftCorner<2, 2>() -= (1.0 - kept) * weakest * weakest.transpose();
   hessian = project * hessian * project;
@@ -94,7 +97,8 @@ NormalEquations Linearize(const map::OccupancyGrid& grid, const ScanPoints& poin
     Eigen::Matrix2f information;
     const Eigen::Vector2f normal(static_cast<float>(c * point.normal_x - s * point.normal_y),
                                  static_cast<float>(s * point.normal_x + c * point.normal_y));
-    if (normal.squaredNorm() > 0.5f) {
+    const bool by_scan = normal.squaredNorm() > 0.5f && block.CountOftenHit(cell) < kCellsOfWall;
+    if (by_scan) {
       information = normal * normal.transpose() /
                     (noise_cells * noise_cells + normal.dot(surface.covariance * normal));
     } else if (surface.covariance.trace() < kSingleHit) {
@@ -120,8 +124,7 @@ NormalEquations Linearize(const map::OccupancyGrid& grid, const ScanPoints& poin
     const double fx = -weight * cells_per_m * toward.x(), fy = -weight * cells_per_m * toward.y();
     sum.gradient += Eigen::Vector3d(fx, fy, nx * fx + ny * fy);
     sum.inliers += weight;
-    const bool has_normal = normal.squaredNorm() > 0.5f;
-    const double variance = has_normal ? point.normal_variance : kMapNormalVariance;
+    const double variance = by_scan ? point.normal_variance : kMapNormalVariance;
     sum.feigned(0, 0) += variance * yy;
     sum.feigned(1, 0) -= variance * xy;
     sum.feigned(1, 1) += variance * xx;

@@ -20,10 +20,15 @@ constexpr double kSmooth_m = 0.03;
 
 constexpr double kRangeNoise_m = 0.015;  // standard deviation of common lasers
 
+double SquaredDistance(const ScanPoint& a, const ScanPoint& b) {
+  const double x = a.x_m - b.x_m, y = a.y_m - b.y_m;
+  return x * x + y * y;
+}
+
 bool OnOneSurface(const ScanPoint& a, const ScanPoint& b) {
   const double across_m = a.range_m * std::abs(a.back_x * b.back_y - a.back_y * b.back_x);
-  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m) <=
-         std::clamp(kFlattest * across_m, kSmooth_m, kMaxGap_m);
+  const double limit_m = std::clamp(kFlattest * across_m, kSmooth_m, kMaxGap_m);
+  return SquaredDistance(a, b) <= limit_m * limit_m;
 }
 
 // From the neighbours that meet the same surface: both, if they agree with the point, else the
@@ -32,7 +37,8 @@ void SetNormal(const ScanPoint* before, const ScanPoint* after, ScanPoint* point
   if (!before && !after) return;
   const ScanPoint& from = before ? *before : *point;
   const ScanPoint& to = after ? *after : *point;
-  const double x = to.x_m - from.x_m, y = to.y_m - from.y_m, length_m = std::hypot(x, y);
+  const double x = to.x_m - from.x_m, y = to.y_m - from.y_m;
+  const double length_m = std::sqrt(x * x + y * y);
   if (length_m < 1e-6) return;
   const double normal_x = -y / length_m, normal_y = x / length_m;
   const double off_m = normal_x * (point->x_m - from.x_m) + normal_y * (point->y_m - from.y_m);
@@ -65,7 +71,7 @@ ScanPoints MakeScanPoints(const sensor::LaserScan& scan) {
       const ScanPoint& next = points[i + direction];
       if (std::abs(beams[i + direction] - beams[i]) > 1) break;
       if (!OnOneSurface(points[i], next)) break;
-      if (end && std::hypot(next.x_m - points[k].x_m, next.y_m - points[k].y_m) > kReach_m) break;
+      if (end && SquaredDistance(next, points[k]) > kReach_m * kReach_m) break;
       end = &next;
     }
     return end;
