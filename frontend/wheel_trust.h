@@ -23,10 +23,13 @@ class WheelTrust {
   void Learn(const backend::SE2& motion);
 
   // Whether readings come later than the scans that they belong to.
-  bool late() const { return late_error_ < kLateBelow * step_error_; }
+  bool late() const {
+    return step_error_ > kPoorError && late_error_ < kLateBelow * step_error_;
+  }
   bool silent() const { return silent_; }
 
  private:
+  static constexpr double kPoorError = 3.0;  // below it, they do as they are
   static constexpr double kLateBelow = 0.5;
 
   backend::SE2 Owed() const { return owed_ * step_; }
