@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -13,6 +14,7 @@
 
 #include "backend/graph_index.h"
 #include "backend/initial_guess.h"
+#include "backend/text_line.h"
 
 namespace gmapping_spa::backend {
 namespace {
@@ -34,13 +36,7 @@ class Words {
   explicit Words(std::string_view line) : rest_(line) {}
 
   // The next word; empty at the end of the line.
-  std::string_view Next() {
-    constexpr std::string_view kSpace = " \t\r\v\f";
-    rest_.remove_prefix(std::min(rest_.find_first_not_of(kSpace), rest_.size()));
-    const std::string_view word = rest_.substr(0, rest_.find_first_of(kSpace));
-    rest_.remove_prefix(word.size());
-    return word;
-  }
+  std::string_view Next() { return TakeWord(&rest_); }
 
   template <typename Number>
   std::optional<Number> NextNumber() {
@@ -65,9 +61,9 @@ class G2oReader {
 
   void ReadLine(const std::string& line) {
     ++line_;
-    Words words(line);
+    Words words(WithoutComment(line_ == 1 ? WithoutByteOrderMark(line) : line));
     const std::string_view tag = words.Next();
-    if (tag.empty() || tag[0] == '#') return;
+    if (tag.empty()) return;
     if (tag == "VERTEX_SE2" || tag == "VERTEX2") {
       ReadVertex(words);
     } else if (tag == "EDGE_SE2") {
@@ -76,8 +72,10 @@ class G2oReader {
       ReadEdge(words, {{{0, 0}, {0, 1}, {1, 1}, {2, 2}, {0, 2}, {1, 2}}});
     } else if (tag == "FIX") {
       ReadFix(words);
+    } else if (tag == "PARAMS_SE2OFFSET") {
+      CheckOffset(words);
     } else {
-      Fail("expected a VERTEX_SE2, EDGE_SE2, FIX, VERTEX2 or EDGE2 record");
+      FailAtRecord(tag);
     }
   }
 
@@ -90,6 +88,7 @@ class G2oReader {
         Fail("expected a vertex with the id " + std::to_string(mention.id) + " in the file");
       }
     }
+    TellChainFromClosures();
     for (const std::int64_t id : fixed_) graph_.nodes[position_.at(id)].fixed = true;
     if (without_vertices) PlaceNodes();
     return std::move(graph_);
@@ -101,6 +100,29 @@ class G2oReader {
 
   [[noreturn]] void Fail(const std::string& expectation) const {
     throw std::runtime_error(name_ + ":" + std::to_string(line_) + ": " + expectation);
+  }
+
+  [[noreturn]] void FailAtRecord(std::string_view tag) const {
+    std::string reason;
+    if (tag.find("XY") != tag.npos || tag.find("LANDMARK") != tag.npos) {
+      reason = ": landmarks are not supported";
+    } else if (tag.find("SE3") != tag.npos || tag.ends_with('3')) {
+      reason = ": graphs in 3D are not supported";
+    }
+    Fail("expected a VERTEX_SE2, EDGE_SE2, FIX, VERTEX2 or EDGE2 record, found " + Quoted(tag) +
+         reason);
+  }
+
+  // The offset of a sensor, which g2o applies to records that name it and are not supported here:
+  // EDGE_SE2 is between the vertices themselves.
+  void CheckOffset(Words& words) const {
+    const bool id = words.NextNumber<std::int64_t>().has_value();
+    const bool x = words.NextNumber<double>().has_value();
+    const bool y = words.NextNumber<double>().has_value();
+    const bool theta = words.NextNumber<double>().has_value();
+    if (!id || !x || !y || !theta || !words.AtEnd()) {
+      Fail("expected an offset as an integer id and three finite numbers x y theta");
+    }
   }
 
   void ReadVertex(Words& words) {
@@ -137,9 +159,6 @@ class G2oReader {
     if (edge.information.llt().info() != Eigen::Success) {
       Fail("expected a positive definite information matrix");
     }
-    // Differences of 64-bit ids may overflow; neighbours do not.
-    const bool consecutive = (*i < *j && *i + 1 == *j) || (*j < *i && *j + 1 == *i);
-    edge.kind = consecutive ? EdgeKind::kOdometry : EdgeKind::kLoopClosure;
     graph_.edges.push_back(edge);
     mentions_.push_back({*i, line_});
     mentions_.push_back({*j, line_});
@@ -167,6 +186,21 @@ class G2oReader {
     for (const std::int64_t id : ids) {
       position_.emplace(id, graph_.nodes.size());
       graph_.nodes.push_back({id, 0.0, {}});
+    }
+  }
+
+  // Neighbors in ascending order of the ids that exist are the robot's way: where nodes were
+  // removed, the edge across the gap is as sure as the others.
+  void TellChainFromClosures() {
+    std::vector<std::int64_t> ids;
+    for (const Node& node : graph_.nodes) ids.push_back(node.id);
+    std::sort(ids.begin(), ids.end());
+    const auto rank = [&](std::int64_t id) {
+      return std::lower_bound(ids.begin(), ids.end(), id) - ids.begin();
+    };
+    for (Edge& edge : graph_.edges) {
+      const bool neighbors = std::abs(rank(edge.i) - rank(edge.j)) == 1;
+      edge.kind = neighbors ? EdgeKind::kOdometry : EdgeKind::kLoopClosure;
     }
   }
 

@@ -1,6 +1,5 @@
 #include "backend/number_rows.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -8,27 +7,17 @@
 #include <system_error>
 #include <utility>
 
+#include "backend/text_line.h"
+
 namespace gmapping_spa::backend {
 namespace {
 
-std::vector<std::string_view> SplitAtBlanks(std::string_view line) {
-  constexpr std::string_view kBlanks = " \t\r\v\f";
+std::vector<std::string_view> Words(std::string_view line) {
   std::vector<std::string_view> words;
-  std::size_t begin = line.find_first_not_of(kBlanks);
-  while (begin != std::string_view::npos) {
-    const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
-    words.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(kBlanks, end);
+  for (std::string_view word = TakeWord(&line); !word.empty(); word = TakeWord(&line)) {
+    words.push_back(word);
   }
   return words;
-}
-
-// The word as it can stand in a message of one line, even when the file is a binary one.
-std::string Quoted(std::string_view word) {
-  constexpr std::size_t kMaxLength = 40;
-  std::string quoted = "'";
-  for (const char c : word.substr(0, kMaxLength)) quoted += c > ' ' && c <= '~' ? c : '?';
-  return quoted + (word.size() > kMaxLength ? "...'" : "'");
 }
 
 }  // namespace
@@ -37,14 +26,15 @@ NumberRows::NumberRows(std::istream& in, std::string name, std::string columns)
     : in_(in),
       name_(std::move(name)),
       columns_(std::move(columns)),
-      column_count_(SplitAtBlanks(columns_).size()) {}
+      column_count_(Words(columns_).size()) {}
 
 bool NumberRows::Next() {
   std::string line;
   while (std::getline(in_, line)) {
     ++line_;
-    const std::vector<std::string_view> words = SplitAtBlanks(line);
-    if (words.empty() || words[0].starts_with('#')) continue;
+    const std::string_view text = line_ == 1 ? WithoutByteOrderMark(line) : line;
+    const std::vector<std::string_view> words = Words(WithoutComment(text));
+    if (words.empty()) continue;
     if (words.size() != column_count_) {
       Fail(std::to_string(column_count_) + " columns (" + columns_ + ")",
            std::to_string(words.size()));

@@ -9,8 +9,9 @@
 
 namespace gmapping_spa::backend {
 
-// Reads rows one at a time, skipping blank lines and lines that start with '#'. Every error is a
-// std::runtime_error of one line, "<name>:<line>: expected <what>, found <what>".
+// Reads rows one at a time, skipping blank lines, comments (from '#' to the end of the line) and a
+// byte order mark. Every error is a std::runtime_error of one line, "<name>:<line>: expected
+// <what>, found <what>".
 class NumberRows {
  public:
   // `name` is for messages. `columns` names the columns of a row, separated by blanks.

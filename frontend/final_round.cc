@@ -23,11 +23,11 @@ FinalRound::FinalRound(const Options& options, Run run)
 
 Estimate FinalRound::Finish(backend::PoseGraph path) {
   backend::PoseGraph graph = path;
-  Optimize(path, &graph);
+  OptimizeAndReview(path, &graph);
   const auto scan_of_node = [this](int node) { return ScanOfNode(node); };
   for (int round = 0; run_.loop_closer && round < options_.closing_rounds; ++round) {
     if (run_.loop_closer->UpdateAll(backend::PosesOf(graph), scan_of_node) == 0) break;
-    Optimize(path, &graph);
+    OptimizeAndReview(path, &graph);
   }
 
   backend::Trajectory trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
@@ -49,14 +49,28 @@ Estimate FinalRound::Finish(backend::PoseGraph path) {
 }
 
 // Optimizes the path with all closures, from the poses that `graph` has. They stay when the back
-// end fails.
-void FinalRound::Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const {
+// end fails. Returns whether it moved them.
+bool FinalRound::Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const {
   graph->edges = path.edges;
   if (run_.loop_closer) {
     const std::vector<backend::Edge>& closures = run_.loop_closer->closures();
     graph->edges.insert(graph->edges.end(), closures.begin(), closures.end());
   }
-  if (std::optional<backend::PoseGraph> optimized = run_.optimize(*graph)) *graph = *optimized;
+  const std::optional<backend::PoseGraph> optimized = run_.optimize(*graph);
+  if (!optimized || backend::PosesOf(*optimized) == backend::PosesOf(*graph)) return false;
+  *graph = *optimized;
+  return true;
+}
+
+// Lets go of closures that the rest of the graph contradicts, until there are none. A back end that
+// moved nothing contradicts nothing.
+void FinalRound::OptimizeAndReview(const backend::PoseGraph& path,
+                                   backend::PoseGraph* graph) const {
+  if (!Optimize(path, graph) || !run_.loop_closer) return;
+  for (int round = 0; round < options_.review_rounds; ++round) {
+    if (run_.loop_closer->Review(backend::PosesOf(*graph)) == 0) break;
+    Optimize(path, graph);
+  }
 }
 
 // Aligns every scan with the map that the nodes' scans make: for the scans in between, a map made

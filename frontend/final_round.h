@@ -22,6 +22,7 @@ class FinalRound {
  public:
   struct Options {
     int closing_rounds = 2;  // of looking for closures everywhere, given what the last one found
+    int review_rounds = 5;   // of letting go of closures that the graph contradicts
     int refine = 1;          // rounds; 0: none
     // A scan of which fewer beams fit, or that would move farther, stays where it is.
     double min_inliers = 0.5;
@@ -55,7 +56,8 @@ class FinalRound {
   Estimate Finish(backend::PoseGraph path);
 
  private:
-  void Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
+  bool Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
+  void OptimizeAndReview(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
   void RefineScans(backend::Trajectory* trajectory) const;
   void MeasureAnew(const backend::Trajectory& trajectory, backend::PoseGraph* path) const;
   sensor::LaserScan ScanOfNode(int node) const { return run_.scans->Get((*run_.node_scans)[node]); }

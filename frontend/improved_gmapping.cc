@@ -24,6 +24,13 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
   // Step 1: the control input.
   const ScanMotion motion = control_.Advance(scan);
   const SE2& u = motion.motion;
+  // What one scan does not decide becomes a step of its own, for particles to take apart.
+  const bool ambiguous = !motion.alternatives.empty();
+  if (ambiguous && !scan_poses_.latest_is_update()) {
+    scan_poses_.MakeUpdate();
+    UpdateFilter(archive_.Get(archive_.size() - 1),
+                 {{Between(odom_T_last_update_, odom_T_scan_)}});
+  }
   counts_.searched += motion.searched ? 1 : 0;
   odom_T_scan_ = odom_T_scan_ * u;
   area_.Extend(scan, odom_T_scan_);
@@ -33,7 +40,7 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
   // Steps 4' and 6: what the graph thread has found out corrects the particles.
   if (const auto optimized = graph_thread_.Advance()) TakeOver(*optimized);
 
-  const bool is_update = UpdateIsDue(u);
+  const bool is_update = UpdateIsDue(u) || ambiguous;
   // In units of what triggers an update; the 1e-9 spreads by number of scans if nothing moved.
   const double amount = u.translation().norm() / std::max(options_.linear_update_m, 1e-3) +
                         std::abs(u.theta) / std::max(options_.angular_update_rad, 1e-3) + 1e-9;
@@ -41,7 +48,11 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
   if (!is_update) return;
 
   // Steps 2 to 5 and 7 to 10: scan matching, sampling, weights, maps and resampling.
-  UpdateFilter(scan);
+  if (ambiguous) {
+    UpdateFilter(scan, motion.alternatives);
+  } else {
+    UpdateFilter(scan, {{Between(odom_T_last_update_, odom_T_scan_)}});
+  }
 
   // Step 3': the pose graph with its closed-loop constraints goes to the graph thread.
   if (options_.close_loops) CloseLoops();
@@ -55,15 +66,15 @@ bool ImprovedGmapping::UpdateIsDue(const SE2& u) {
          angular_since_update_rad_ >= options_.angular_update_rad;
 }
 
-void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan) {
+void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan,
+                                    const std::vector<ParticleFilter::Control>& controls) {
   if (counts_.updates == 0) {
     filter_.Start(scan, SE2{});
   } else {
-    const SE2 u = Between(odom_T_last_update_, odom_T_scan_);
     for (const particle_filter::Particle& particle : filter_.particles()) {
-      area_.Extend(scan, particle.world_T_robot * u);
+      area_.Extend(scan, particle.world_T_robot * controls.front().motion);
     }
-    const ParticleFilter::Update update = filter_.Advance(scan, u);
+    const ParticleFilter::Update update = filter_.Advance(scan, controls);
     counts_.resamplings += update.resampled ? 1 : 0;
     counts_.failed_matches += update.failed_matches;
   }

@@ -90,7 +90,8 @@ class ImprovedGmapping {
  private:
   bool UpdateIsDue(const backend::SE2& u);
   void TakeOver(const backend::PoseGraph& optimized);
-  void UpdateFilter(const sensor::LaserScan& scan);
+  void UpdateFilter(const sensor::LaserScan& scan,
+                    const std::vector<particle_filter::ParticleFilter::Control>& controls);
   void CloseLoops();
   void StartOptimization();
   void EmitPath(backend::PoseGraphSink* sink) const;

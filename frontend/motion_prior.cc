@@ -23,7 +23,7 @@ double MotionHypothesis::LogDensity(const SE2& other) const {
          std::log(sigma_m * sigma_m * sigma_rad);
 }
 
-MotionPrior::MotionPrior(const Options& options, const SE2& wheels, bool trust_wheels,
+MotionPrior::MotionPrior(const Options& options, const std::optional<WheelMotion>& wheels,
                          const SE2& same_velocity, double duration_s) {
   const double square_s2 = duration_s * duration_s;
   const MotionHypothesis going_on{
@@ -32,14 +32,16 @@ MotionPrior::MotionPrior(const Options& options, const SE2& wheels, bool trust_w
       .sigma_rad =
           std::min(options.velocity_floor_rad + options.angular_acceleration_rad_s2 * square_s2,
                    std::numbers::pi),
-      .weight = trust_wheels ? options.wheels_wrong : 1.0};
-  if (trust_wheels) {
-    const double linear_m = wheels.translation().norm(), angular_rad = std::abs(wheels.theta);
-    hypotheses_.push_back({.motion = wheels,
-                           .sigma_m = options.floor_m + options.m_per_m * linear_m,
-                           .sigma_rad = options.floor_rad + options.rad_per_m * linear_m +
-                                        options.rad_per_rad * angular_rad,
-                           .weight = 1.0 - options.wheels_wrong});
+      .weight = wheels ? wheels->wrong : 1.0};
+  if (wheels) {
+    const double linear_m = wheels->motion.translation().norm();
+    const double angular_rad = std::abs(wheels->motion.theta);
+    hypotheses_.push_back(
+        {.motion = wheels->motion,
+         .sigma_m = wheels->sigma_factor * (options.floor_m + options.m_per_m * linear_m),
+         .sigma_rad = wheels->sigma_factor * (options.floor_rad + options.rad_per_m * linear_m +
+                                              options.rad_per_rad * angular_rad),
+         .weight = 1.0 - wheels->wrong});
   }
   hypotheses_.push_back(going_on);
   reach_m_ = std::max(options.max_speed_m_s * duration_s, going_on.sigma_m);

@@ -3,6 +3,7 @@
 #define GMAPPING_SPA_FRONTEND_MOTION_PRIOR_H_
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "backend/se2.h"
@@ -24,6 +25,13 @@ struct MotionHypothesis {
   double LogDensity(const backend::SE2& other) const;  // of the normal distribution, times weight
 };
 
+// What the wheels say, and how much less they are to be trusted than usual.
+struct WheelMotion {
+  backend::SE2 motion;
+  double sigma_factor = 1.0;  // on the standard deviations
+  double wrong = 0.01;        // probability that it has nothing to do with the motion
+};
+
 // A mixture: what the wheels say, going on at the same velocity, and anything that a robot can do.
 // Wheels slip, restart, come late or say nothing; velocities change within limits. So no one of
 // them is ever the whole truth, and none is ever left out without a reason.
@@ -41,17 +49,15 @@ class MotionPrior {
     double angular_acceleration_rad_s2 = 3.0;
     double velocity_floor_m = 0.02;  // of the last motion, which is a measurement as well
     double velocity_floor_rad = 0.02;
-    // Probabilities that the wheels are wrong, and that the motion is none of the guesses.
-    double wheels_wrong = 0.01;
-    double anything = 1e-3;
+    double anything = 1e-3;  // probability that the motion is none of the guesses
     // What a robot can do.
     double max_speed_m_s = 5.0;
     double max_turn_rad_s = 6.0;
   };
 
-  // `same_velocity`: the motion if the robot goes on as before. `trust_wheels`: whether the wheels
-  // have a say at all.
-  MotionPrior(const Options& options, const backend::SE2& wheels, bool trust_wheels,
+  // `wheels`: nothing where they have no say. `same_velocity`: the motion if the robot goes on as
+  // before.
+  MotionPrior(const Options& options, const std::optional<WheelMotion>& wheels,
               const backend::SE2& same_velocity, double duration_s);
 
   // The likeliest first.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gmapping_spa::frontend {
 
@@ -20,6 +21,8 @@ constexpr double kMinUsualFit = 0.3;
 constexpr double kMinDuration_s = 0.02;
 constexpr double kMaxDuration_s = 1.0;
 constexpr double kMaxRatio = 2.0;  // of the times of two scans in succession
+constexpr double kVelocityGain = 0.7;
+constexpr double kSlowDown = 0.8;  // of a robot whose scans do not fit
 
 // Squared standard deviations by which a motion may differ from a guess that it agrees with.
 constexpr double kAgrees = 9.0;
@@ -48,6 +51,9 @@ struct Window {
 constexpr Window kWindows[] = {{0.3, 0.4}, {0.75, 1.2}, {1.5, 3.14159}};
 
 constexpr int kSilentScans = 3;
+constexpr double kMinWheelsWrong = 0.01;
+constexpr double kMaxWheelsWrong = 0.5;
+constexpr double kMaxWheelError = 100.0;
 
 // More than what scan matching is off by.
 bool Moves(const SE2& motion) {
@@ -122,15 +128,23 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
     sum += std::exp(nats);
   }
   if (result.alternatives.size() == 1) result.alternatives.clear();
-  for (ScanMotion::Alternative& alternative : result.alternatives) alternative.probability /= sum;
+  for (auto& alternative : result.alternatives) alternative.probability /= sum;
 
+  // A map must not hold both sides of a step that may be wrong.
+  if (!result.alternatives.empty()) map_.Clear();
   const SE2 since_entered = Between(odom_T_entered_, odom_T_robot_);
-  if (since_entered.translation().norm() > options_.enter_m ||
+  if (map_.empty() || since_entered.translation().norm() > options_.enter_m ||
       std::abs(since_entered.theta) > options_.enter_rad) {
     odom_T_entered_ = odom_T_robot_;
     map_.Enter(scan, odom_T_robot_);
   }
   return result;
+}
+
+// Loggers may stamp scans when they write them, several at once: times are taken with a pinch of
+// salt.
+double ScanOdometry::DurationRatio(double duration_s) const {
+  return std::clamp(duration_s / usual_duration_s_, 1.0 / kMaxRatio, kMaxRatio);
 }
 
 MotionPrior ScanOdometry::MakePrior(const sensor::OdometryCheck::Step& wheels,
@@ -140,13 +154,13 @@ MotionPrior ScanOdometry::MakePrior(const sensor::OdometryCheck::Step& wheels,
                       (silent_scans_ >= kSilentScans || !wheels_ever_moved_);
   const bool trust = !silent && (wheels.fault == OdometryFault::kNone ||
                                  wheels.fault == OdometryFault::kUnchanged);
-  // Loggers may stamp scans when they write them, several at once: times are taken with a pinch of
-  // salt.
-  const double ratio = last_duration_s_ > 0.0 ? duration_s / last_duration_s_ : 1.0;
-  const SE2 going_on =
-      backend::Exp(std::clamp(ratio, 1.0 / kMaxRatio, kMaxRatio) * backend::Log(last_motion_));
-  return {options_.prior, wheels.motion, trust, going_on,
-          std::max(duration_s, usual_duration_s_)};
+  const SE2 going_on = backend::Exp(DurationRatio(duration_s) * usual_motion_);
+  std::optional<WheelMotion> guess;
+  if (trust) {
+    guess = {wheels.motion, std::sqrt(std::max(wheel_error_, 1.0)),
+             std::clamp(wheels_wrong_, kMinWheelsWrong, kMaxWheelsWrong)};
+  }
+  return {options_.prior, guess, going_on, std::max(duration_s, usual_duration_s_)};
 }
 
 // Fuses the scan with the guess.
@@ -239,9 +253,17 @@ void ScanOdometry::Learn(const Match& match, const MotionPrior& prior,
     usual_fit_ = std::max(usual_fit_, kMinUsualFit);
   }
   const SE2 motion = Between(odom_T_robot_, match.odom_T_robot);
-  last_motion_ = motion;
-  last_duration_s_ = duration_s;
-  const bool agrees = prior.hypotheses().front().SquaredDistance(motion) < kAgrees;
+  const double scale = Nats(match, match.evidence.unknown) > -kGarbage_nats ? 1.0 : kSlowDown;
+  usual_motion_ += kVelocityGain * (scale * backend::Log(motion) / DurationRatio(duration_s) -
+                                    usual_motion_);
+  const MotionHypothesis& first = prior.hypotheses().front();
+  const bool agrees = first.SquaredDistance(motion) < kAgrees;
+  if (prior.hypotheses().size() > 1) {
+    // Three dimensions; what is no normal noise counts for the other mean.
+    const double error = std::max(wheel_error_, 1.0) * first.SquaredDistance(motion) / 3.0;
+    wheel_error_ += kForgetting * (std::min(error, kMaxWheelError) - wheel_error_);
+    wheels_wrong_ += kForgetting * ((agrees ? 0.0 : 1.0) - wheels_wrong_);
+  }
   if (wheels.fault == OdometryFault::kNone) {
     wheels_ever_moved_ = true;
     silent_scans_ = 0;

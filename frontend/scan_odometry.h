@@ -8,6 +8,7 @@
 #include "backend/se2.h"
 #include "frontend/map/occupancy_grid.h"
 #include "frontend/motion_prior.h"
+#include "frontend/particle_filter/particle_filter.h"
 #include "frontend/scan_matching/correlative_matching.h"
 #include "frontend/scan_matching/endpoint_model.h"
 #include "frontend/scan_matching/gauss_newton.h"
@@ -20,14 +21,9 @@ namespace gmapping_spa::frontend {
 
 // What a scan says about the motion since the scan before.
 struct ScanMotion {
-  struct Alternative {
-    backend::SE2 motion;
-    double probability = 0.0;
-  };
-
   backend::SE2 motion;  // the likeliest
   // All motions that the scan does not tell apart, the likeliest first; empty when there is one.
-  std::vector<Alternative> alternatives;
+  std::vector<particle_filter::ParticleFilter::Control> alternatives;
   bool searched = false;         // whether the guesses did not do and a window was searched
   bool wheels_rejected = false;  // whether the motion is not what the wheels say
   bool wheels_silent = false;    // whether the wheels stand still while the robot moves
@@ -66,6 +62,7 @@ class ScanOdometry {
     double log_posterior = 0.0;  // up to a constant
   };
 
+  double DurationRatio(double duration_s) const;
   MotionPrior MakePrior(const sensor::OdometryCheck::Step& wheels, double duration_s) const;
   Match Track(const backend::SE2& initial, const MotionHypothesis& hypothesis) const;
   std::vector<Match> Search(const MotionPrior& prior, double window_m, double window_rad);
@@ -82,10 +79,13 @@ class ScanOdometry {
   backend::SE2 odom_T_robot_;
   backend::SE2 odom_T_entered_;  // when a scan was last entered
   double stamp_s_ = 0.0;
-  backend::SE2 last_motion_;
-  double last_duration_s_ = 0.0;
-  double usual_duration_s_ = 0.1;                       // running mean
+  Eigen::Vector3d usual_motion_ = Eigen::Vector3d::Zero();  // a twist, running mean of few scans
+  double usual_duration_s_ = 0.1;                           // running mean
   double usual_fit_ = 0.6;                              // running mean
+  // Running means of how the wheels do: squared error in units of the variance that is expected,
+  // and share of the scans that contradict them.
+  double wheel_error_ = 1.0;
+  double wheels_wrong_ = 0.01;
   bool wheels_ever_moved_ = false;
   int silent_scans_ = 0;  // in a row, that moved while the wheels stood still
 };

@@ -22,6 +22,10 @@ class ScanPoses {
   void Add(const sensor::LaserScan& scan, const backend::SE2& odom_T_robot, double motion,
            bool is_update);
 
+  // Says of the latest scan, later, that the filter was updated with it.
+  void MakeUpdate() { entries_.back().is_update = true; }
+  bool latest_is_update() const { return !entries_.empty() && entries_.back().is_update; }
+
   // Poses of all scans in the order of the input, given those at the updates.
   backend::Trajectory Fill(const std::vector<backend::SE2>& world_T_updates) const;
 

@@ -12,8 +12,8 @@
 #include "experiments/apps/app.h"
 #include "experiments/apps/error_picture.h"
 #include "experiments/apps/flag_checks.h"
-#include "experiments/apps/input_file.h"
 #include "experiments/apps/json.h"
+#include "experiments/apps/trajectory_files.h"
 #include "experiments/metrics/association.h"
 #include "experiments/metrics/map_comparison.h"
 #include "experiments/metrics/map_error.h"
@@ -68,7 +68,7 @@ void CheckFlags() {
   }
 }
 
-backend::SE2 AlignmentFromFlags(const backend::Trajectory& true_poses) {
+backend::SE2 AlignmentFromFlags(const TrajectoryFile& truth) {
   const auto alignment = OneOf<metrics::Alignment>("align", FLAGS_align,
                                                    {{"first", metrics::Alignment::kFirst},
                                                     {"none", metrics::Alignment::kNone},
@@ -77,16 +77,15 @@ backend::SE2 AlignmentFromFlags(const backend::Trajectory& true_poses) {
   if (FLAGS_trajectory.empty()) {
     throw std::runtime_error("--align=" + FLAGS_align + " needs --trajectory=FILE");
   }
-  const auto trajectory = backend::ReadTum(*OpenInput(FLAGS_trajectory), FLAGS_trajectory);
-  return metrics::Align(metrics::AssociateByStamp(true_poses, trajectory, FLAGS_max_gap_s),
-                        alignment);
+  return metrics::Align(
+      AssociateFiles(truth, ReadTrajectoryFile(FLAGS_trajectory), FLAGS_max_gap_s), alignment);
 }
 
 Json AgainstTruth(const map::TrinaryMap& map) {
   const map::TrinaryMap truth = map::ReadMap(FLAGS_truth);
-  const auto true_poses =
-      backend::ReadTum(*OpenInput(FLAGS_truth_trajectory), FLAGS_truth_trajectory);
-  const backend::SE2 truth_T_map = AlignmentFromFlags(true_poses);
+  const TrajectoryFile true_trajectory = ReadTrajectoryFile(FLAGS_truth_trajectory);
+  const backend::Trajectory& true_poses = true_trajectory.poses;
+  const backend::SE2 truth_T_map = AlignmentFromFlags(true_trajectory);
   const auto seen = metrics::LookAround(truth, true_poses, FLAGS_max_range);
   const auto comparison = metrics::CompareMaps(truth, seen, map, truth_T_map);
   const auto errors = metrics::SummarizeErrors(comparison, FLAGS_tolerance);

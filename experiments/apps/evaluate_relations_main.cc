@@ -8,6 +8,7 @@
 #include "experiments/apps/app.h"
 #include "experiments/apps/input_file.h"
 #include "experiments/apps/json.h"
+#include "experiments/apps/trajectory_files.h"
 #include "experiments/metrics/relations.h"
 
 DEFINE_string(relations, "", "File of true relations, lines of t1 t2 x y z roll pitch yaw.");
@@ -24,7 +25,8 @@ void Run() {
   if (FLAGS_trajectory.empty()) throw std::runtime_error("--trajectory=FILE is missing");
   if (!(FLAGS_max_gap_s >= 0.0)) throw std::runtime_error("--max_gap_s must not be negative");
   const auto relations = metrics::ReadRelations(*OpenInput(FLAGS_relations), FLAGS_relations);
-  const auto trajectory = backend::ReadTum(*OpenInput(FLAGS_trajectory), FLAGS_trajectory);
+  if (relations.empty()) throw std::runtime_error(FLAGS_relations + ": holds no relations");
+  const backend::Trajectory trajectory = ReadTrajectoryFile(FLAGS_trajectory).poses;
   const metrics::RelationsSummary summary =
       metrics::EvaluateRelations(relations, trajectory, {.max_gap_s = FLAGS_max_gap_s});
   const Json json = {

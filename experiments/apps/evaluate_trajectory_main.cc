@@ -7,11 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "backend/trajectory_io.h"
 #include "experiments/apps/app.h"
-#include "experiments/apps/input_file.h"
 #include "experiments/apps/json.h"
-#include "experiments/metrics/association.h"
+#include "experiments/apps/trajectory_files.h"
 #include "experiments/metrics/trajectory_error.h"
 
 DEFINE_string(truth, "", "File of the true trajectory, TUM format.");
@@ -57,15 +55,15 @@ void Run() {
                                               {{"frames", metrics::StepUnit::kFrames},
                                                {"m", metrics::StepUnit::kMetres},
                                                {"s", metrics::StepUnit::kSeconds}});
-  const auto truth = backend::ReadTum(*OpenInput(FLAGS_truth), FLAGS_truth);
-  const auto trajectory = backend::ReadTum(*OpenInput(FLAGS_trajectory), FLAGS_trajectory);
-  const auto pairs = metrics::AssociateByStamp(truth, trajectory, FLAGS_max_gap_s);
+  const TrajectoryFile truth = ReadTrajectoryFile(FLAGS_truth);
+  const TrajectoryFile trajectory = ReadTrajectoryFile(FLAGS_trajectory);
+  const auto pairs = AssociateFiles(truth, trajectory, FLAGS_max_gap_s);
   const backend::SE2 truth_T_estimate = metrics::Align(pairs, alignment);
   const auto absolute = metrics::AbsoluteTrajectoryError(pairs, alignment);
   const auto relative = metrics::RelativePoseError(pairs, {.step = FLAGS_rpe_delta, .unit = unit});
   const Json json = {
-      {"truth_poses", truth.size()},
-      {"trajectory_poses", trajectory.size()},
+      {"truth_poses", truth.poses.size()},
+      {"trajectory_poses", trajectory.poses.size()},
       {"associated", pairs.size()},
       {"max_gap_s", FLAGS_max_gap_s},
       {"align", FLAGS_align},

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -40,6 +41,16 @@ sensor::LogCounts ProcessLog(const sensor::LogOptions& options, SlamRun* slam) {
   return reader->counts();
 }
 
+// Told before the run is finished, with what the user can do about it.
+void CheckThatBeamsHit(const sensor::LogCounts& counts, const sensor::LogOptions& options) {
+  if (counts.at("beams_hit") > 0) return;
+  std::ostringstream message;
+  message << FLAGS_log << ": no beam of any scan ended between " << options.range_min_m << " and "
+          << options.usable_range_m << " m (" << counts.at("beams_no_return")
+          << " were longer): are ranges in cm or mm, or is --usable_range_m too short?";
+  throw std::runtime_error(message.str());
+}
+
 Json DescribeLog(const sensor::LogCounts& counts) {
   const FileIdentity identity = IdentifyFile(FLAGS_log);
   return {{"sha256", identity.sha256}, {"bytes", identity.bytes}, {"records", counts}};
@@ -57,7 +68,8 @@ void Run() {
   SlamRun slam;
   OutputFiles files(FLAGS_output_dir);
   const sensor::LogCounts log_counts = ProcessLog(log_options, &slam);
-  slam.Finish([&] { return DescribeLog(log_counts); }, &files);
+  CheckThatBeamsHit(log_counts, log_options);
+  slam.Finish([&] { return DescribeLog(log_counts); }, log_counts, &files);
   files.Commit();
   const frontend::ImprovedGmapping::Counts& counts = slam.counts();
   std::cout << counts.scans << " scans, " << counts.updates << " updates, " << counts.resamplings

@@ -27,6 +27,8 @@ DEFINE_double(closure_max_distance_m, kCloser.candidates.max_distance_m,
 DEFINE_double(closure_drift_m_per_m, kCloser.drift.m_per_m,
               "Drift expected, a standard deviation, per metre of way.");
 DEFINE_double(closure_drift_rad_per_m, kCloser.drift.rad_per_m, "Likewise of the heading.");
+DEFINE_bool(closure_everywhere, kCloser.search_everywhere,
+            "Look for closures in the whole map by the look of places, however large the drift.");
 DEFINE_double(closure_min_score, kCloser.verifier.search.min_score,
               "Correlative score (0 to 1) that a closure needs.");
 DEFINE_double(closure_max_second_score, kCloser.verifier.max_second_score,
@@ -67,6 +69,7 @@ void AddClosureOptions(loop_closure::LoopCloser::Options* closer) {
   closer->drift.m_per_m = InRange("closure_drift_m_per_m", FLAGS_closure_drift_m_per_m, 0.0, 1.0);
   closer->drift.rad_per_m =
       InRange("closure_drift_rad_per_m", FLAGS_closure_drift_rad_per_m, 0.0, 1.0);
+  closer->search_everywhere = FLAGS_closure_everywhere;
   closer->verifier.search.min_score =
       InRange("closure_min_score", FLAGS_closure_min_score, 0.01, 1.0);
   closer->verifier.max_second_score =

@@ -3,43 +3,26 @@
 #include <cairo.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <numbers>
 #include <sstream>
 
+#include "experiments/apps/picture_view.h"
 #include "experiments/apps/png_canvas.h"
 
 namespace gmapping_spa::apps {
 namespace {
 
-using backend::StampedPose;
 using backend::Trajectory;
 using map::CellState;
 using map::TrinaryMap;
+using View = PictureView;
 
 constexpr double kMinLongSidePx = 800.0, kMaxLongSidePx = 2000.0;
 constexpr double kMarginM = 1.0;
 constexpr int kLegendHeightPx = 44;  // a strip below the map, so that the bar hides none of it
 constexpr int kUnknownGrey = 205;
-
-struct Color {
-  double red, green, blue;
-};
-
-// The part of the world that is shown and how it is mapped to pixels.
-struct View {
-  double min_x_m, min_y_m, max_x_m, max_y_m;
-  double pixels_per_m;
-
-  double Column(double x_m) const { return (x_m - min_x_m) * pixels_per_m; }
-  double Row(double y_m) const { return (max_y_m - y_m) * pixels_per_m; }
-  int width_px() const { return std::max(1, static_cast<int>(std::lround(Column(max_x_m)))); }
-  int height_px() const { return std::max(1, static_cast<int>(std::lround(Row(min_y_m)))); }
-};
 
 // Bounds of the known cells (of the whole map when there are none) and of the trajectory.
 View Fit(const TrinaryMap& map, const Trajectory& trajectory) {
@@ -123,52 +106,6 @@ void PaintMap(cairo_surface_t* surface, const TrinaryMap& map, const View& view)
   cairo_surface_mark_dirty(surface);
 }
 
-// Blue, cyan-green, orange, red: distinguishable along the way and on white.
-Color ColorOfProgress(double progress) {
-  constexpr std::array<Color, 4> kStops = {
-      {{0.10, 0.25, 0.85}, {0.00, 0.62, 0.62}, {0.93, 0.60, 0.05}, {0.85, 0.10, 0.10}}};
-  const double position = progress * (kStops.size() - 1);
-  const auto index = std::min(static_cast<std::size_t>(position), kStops.size() - 2);
-  const double share = position - static_cast<double>(index);
-  const Color &from = kStops[index], &to = kStops[index + 1];
-  return {std::lerp(from.red, to.red, share), std::lerp(from.green, to.green, share),
-          std::lerp(from.blue, to.blue, share)};
-}
-
-void DrawDisc(cairo_t* context, const View& view, const backend::SE2& pose, const Color& color) {
-  cairo_arc(context, view.Column(pose.x), view.Row(pose.y), 7.0, 0.0, 2.0 * std::numbers::pi);
-  cairo_set_source_rgb(context, color.red, color.green, color.blue);
-  cairo_fill_preserve(context);
-  cairo_set_source_rgb(context, 1.0, 1.0, 1.0);
-  cairo_set_line_width(context, 1.5);
-  cairo_stroke(context);
-}
-
-void DrawTrajectory(cairo_t* context, const Trajectory& trajectory, const View& view) {
-  // Strokes of many poses, not of one: colours change slowly, and joints of strokes would show.
-  constexpr std::size_t kStrokes = 256;
-  Trajectory finite;
-  std::copy_if(trajectory.begin(), trajectory.end(), std::back_inserter(finite),
-               [](const StampedPose& pose) { return pose.world_T_robot.IsFinite(); });
-  if (finite.empty()) return;
-  const std::size_t poses_per_stroke = finite.size() / kStrokes + 1;
-  cairo_set_line_width(context, 2.0);
-  cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
-  for (std::size_t begin = 0; begin + 1 < finite.size(); begin += poses_per_stroke) {
-    const std::size_t end = std::min(begin + poses_per_stroke, finite.size() - 1);
-    for (std::size_t i = begin; i <= end; ++i) {
-      const backend::SE2& pose = finite[i].world_T_robot;
-      cairo_line_to(context, view.Column(pose.x), view.Row(pose.y));
-    }
-    const Color color =
-        ColorOfProgress(static_cast<double>(begin) / static_cast<double>(finite.size()));
-    cairo_set_source_rgb(context, color.red, color.green, color.blue);
-    cairo_stroke(context);
-  }
-  DrawDisc(context, view, finite.front().world_T_robot, {0.10, 0.65, 0.20});
-  DrawDisc(context, view, finite.back().world_T_robot, {0.85, 0.10, 0.10});
-}
-
 // In the strip below the map: the longest of 1, 2, 5, 10, ... m within a quarter of the width.
 void DrawScaleBar(cairo_t* context, const View& view) {
   double length_m = 0.1;
@@ -202,14 +139,17 @@ void DrawScaleBar(cairo_t* context, const View& view) {
 }  // namespace
 
 void WriteMapPicture(const TrinaryMap& map, const Trajectory& trajectory,
-                     const std::string& png_path) {
+                     const std::string& png_path, const Stretches& stretches) {
   const View view = Fit(map, trajectory);
   const PngCanvas canvas(view.width_px(), view.height_px() + kLegendHeightPx);
   if (cairo_surface_status(canvas.surface()) == CAIRO_STATUS_SUCCESS) {
     PaintMap(canvas.surface(), map, view);
   }
-  DrawTrajectory(canvas.context(), trajectory, view);
+  DrawTrajectory(canvas.context(), trajectory, stretches, view);
   DrawScaleBar(canvas.context(), view);
+  // From the middle of the width on.
+  DrawStretchLegend(canvas.context(), stretches, view.width_px() / 2.0,
+                    view.height_px() + kLegendHeightPx - 18.0);
   canvas.Write(png_path);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "backend/trajectory_io.h"
+#include "experiments/apps/trajectory_drawing.h"
 #include "frontend/map/trinary_map.h"
 
 namespace gmapping_spa::apps {
@@ -12,10 +13,12 @@ namespace gmapping_spa::apps {
 // Draws the known part of the map (unknown grey, free white, occupied black, y upward) with the
 // trajectory, whose poses are in the map's frame and in order of time, as a line from blue to red,
 // a green disc at its start and a red one at its end, and a scale bar. The longer side has 800 to
-// 2000 pixels. The trajectory may be empty.
+// 2000 pixels. The trajectory may be empty. Where its stamps are within a stretch of the kind
+// "ambiguous", the line is thick and magenta, within one of the kind "lost" dashed in black on
+// white; a legend beside the scale bar says so.
 // Throws std::runtime_error with one line when the file cannot be written.
 void WriteMapPicture(const map::TrinaryMap& map, const backend::Trajectory& trajectory,
-                     const std::string& png_path);
+                     const std::string& png_path, const Stretches& stretches = {});
 
 }  // namespace gmapping_spa::apps
 

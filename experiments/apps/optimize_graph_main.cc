@@ -77,7 +77,7 @@ Json ToJson(const PoseGraph& graph, const Summary& summary, double cpu_s) {
           {"convention",
            "cost: 1/2 sum rho(e' Omega e), e = (R_i' (t_j - t_i) - t_ij, wrap(theta_j - theta_i - "
            "theta_ij)), recomputed apart from the back end; the loss rho is for loop closures, "
-           "edges between ids that are not consecutive"}};
+           "edges between ids that are not neighbors in ascending order"}};
 }
 
 // A file that appears whole or not at all.

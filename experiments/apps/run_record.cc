@@ -43,7 +43,7 @@ double Seconds(const timeval& time) {
 }  // namespace
 
 Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping,
-                   const map::TrinaryMap& map, const Stopwatch& stopwatch) {
+                   const map::TrinaryMap& map, const Json& health, const Stopwatch& stopwatch) {
   std::string threads;
   gflags::GetCommandLineOption("threads", &threads);
   const frontend::ImprovedGmapping::Counts& counts = gmapping.counts();
@@ -72,6 +72,7 @@ Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping
         {"taken", graph.taken},
         {"failed", graph.failed},
         {"late", graph.late}}},
+      {"health", health},
       {"map", {{"width", map.width}, {"height", map.height}, {"resolution_m", map.resolution_m}}},
       {"resources",
        {{"threads", std::stoi(threads)},

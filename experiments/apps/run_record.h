@@ -27,11 +27,11 @@ class Stopwatch {
   Json laps_;
 };
 
-// `input` says what the scans came from. Everything that may differ between two runs with the same
-// input, flags and seed (times, memory, and what does not change results: --threads and where
-// outputs go) stands under "resources".
+// `input` says what the scans came from, `health` what was noticed (HealthRecord). Everything that
+// may differ between two runs with the same input, flags and seed (times, memory, and what does not
+// change results: --threads and where outputs go) stands under "resources".
 Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping,
-                   const map::TrinaryMap& map, const Stopwatch& stopwatch);
+                   const map::TrinaryMap& map, const Json& health, const Stopwatch& stopwatch);
 
 }  // namespace gmapping_spa::apps
 

@@ -37,7 +37,7 @@ void Run() {
   const simulation::SimulationSummary summary =
       simulation::Simulate(setup.scene, setup.way_points, setup.options, &player);
   WriteTruth(setup, summary, &files);
-  slam.Finish([&] { return Identify(setup.input_files); }, &files);
+  slam.Finish([&] { return Identify(setup.input_files); }, {}, &files);
   files.Commit();
   std::cout << slam.counts().scans << " scans over " << summary.path_length_m << " m, "
             << slam.counts().updates << " updates; results in " << FLAGS_output_dir << '\n';

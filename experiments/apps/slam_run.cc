@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 
 #include "backend/g2o_io.h"
 #include "backend/trajectory_io.h"
 #include "experiments/apps/app.h"
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/closure_table.h"
+#include "experiments/apps/health_record.h"
 #include "experiments/apps/map_picture.h"
 #include "experiments/apps/slam_flags.h"
 #include "frontend/map/map_building.h"
@@ -40,12 +42,14 @@ void SlamRun::AddScan(const sensor::LaserScan& scan) {
   gmapping_.AddScan(scan);
 }
 
-void SlamRun::Finish(const std::function<Json()>& input, OutputFiles* files) {
+void SlamRun::Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
+                     OutputFiles* files) {
   stopwatch_.Lap("processing_s");
   const frontend::Estimate estimate = gmapping_.Finish();
   stopwatch_.Lap("finish_s");
   const backend::Trajectory& trajectory = estimate.trajectory;
   const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, occupied_threshold_);
+  if (map.cells.empty()) throw std::runtime_error("no scan saw anything: the map would be empty");
   backend::Trajectory by_time = trajectory;
   std::stable_sort(by_time.begin(), by_time.end(),
                    [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; });
@@ -57,11 +61,14 @@ void SlamRun::Finish(const std::function<Json()>& input, OutputFiles* files) {
   files->Write("loop_closures.csv", [&](std::ostream& out) {
     WriteClosures(gmapping_.loop_closer().records(), estimate.graph.nodes, out);
   });
-  WriteMapPicture(map, by_time, files->TemporaryPath("map.png"));
+  WriteMapPicture(map, by_time, files->TemporaryPath("map.png"), gmapping_.health().stretches());
   stopwatch_.Lap("writing_s");
-  const Json record = MakeRunRecord(input(), gmapping_, map, stopwatch_);
+  const Json health = HealthRecord(gmapping_.health(), log_counts);
+  const Json record = MakeRunRecord(input(), gmapping_, map, health, stopwatch_);
   files->Write("run.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
   ThrowIfInterrupted();
+  WarnOf(log_counts);
+  gmapping_.health().LogSummary();
 }
 
 }  // namespace gmapping_spa::apps

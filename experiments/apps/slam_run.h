@@ -9,6 +9,7 @@
 #include "experiments/apps/run_record.h"
 #include "frontend/improved_gmapping.h"
 #include "frontend/sensor/laser_scan.h"
+#include "frontend/sensor/log_reader.h"
 
 namespace gmapping_spa::apps {
 
@@ -24,8 +25,11 @@ class SlamRun {
   void AddScan(const sensor::LaserScan& scan);
 
   // After the last scan: writes trajectory.tum, map.pgm, map.yaml, map.png, graph.g2o,
-  // loop_closures.csv and run.json. `input` tells for the record what the scans were made of.
-  void Finish(const std::function<Json()>& input, OutputFiles* files);
+  // loop_closures.csv and run.json, and warns of what was noticed. `input` tells for the record
+  // what the scans were made of; `log_counts` are those of the log's reader, empty where there is
+  // none. Throws std::runtime_error with one line where the map would be empty.
+  void Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
+              OutputFiles* files);
 
   const frontend::ImprovedGmapping::Counts& counts() const { return gmapping_.counts(); }
 

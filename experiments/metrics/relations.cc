@@ -1,5 +1,6 @@
 #include "experiments/metrics/relations.h"
 
+#include <iomanip>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -40,6 +41,12 @@ RelationsSummary EvaluateRelations(const std::vector<Relation>& relations,
     message << "none of the " << relations.size() << " relations has both stamps within "
             << options.max_gap_s << " s of one of the " << trajectory.size()
             << " stamps of the trajectory";
+    if (!relations.empty() && !sorted.empty()) {
+      message << std::fixed << std::setprecision(3) << ": the first relation is from "
+              << relations.front().stamp_i_s << " to " << relations.front().stamp_j_s
+              << ", the trajectory from " << sorted.front().stamp_s << " to "
+              << sorted.back().stamp_s << " (expected seconds of one clock)";
+    }
     throw std::runtime_error(message.str());
   }
   return {.used = static_cast<int>(translations_m.size()),

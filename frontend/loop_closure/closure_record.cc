@@ -14,12 +14,28 @@ const char* VerdictName(Verdict verdict) {
       return "overlap";
     case Verdict::kFit:
       return "fit";
+    case Verdict::kSeenThrough:
+      return "seen_through";
     case Verdict::kGate:
       return "gate";
     case Verdict::kUnconfirmed:
       return "unconfirmed";
+    case Verdict::kReleased:
+      return "released";
     case Verdict::kAccepted:
       return "accepted";
+  }
+  return "unknown";
+}
+
+const char* SourceName(Source source) {
+  switch (source) {
+    case Source::kNear:
+      return "near";
+    case Source::kPlace:
+      return "place";
+    case Source::kFollowed:
+      return "followed";
   }
   return "unknown";
 }

@@ -16,12 +16,23 @@ enum class Verdict : std::uint8_t {
   kUnstable,     // fine alignment leaves the peak of the search
   kOverlap,      // the scans saw too little in common
   kFit,          // what they saw in common does not look the same
+  kSeenThrough,  // the one saw through what stands in the way for the other
   kGate,         // farther off than the graph's uncertainty allows
-  kUnconfirmed,  // no second closure agrees (yet)
+  kUnconfirmed,  // not enough other closures agree (yet)
+  kReleased,     // was accepted, and is not any more
   kAccepted
 };
 
 const char* VerdictName(Verdict verdict);
+
+// Where a candidate came from.
+enum class Source : std::uint8_t {
+  kNear,     // it is near by the estimate, given the drift
+  kPlace,    // the place looks like the other one: the estimate had no say
+  kFollowed  // it is near if a closure found so nearby on the way is right
+};
+
+const char* SourceName(Source source);
 
 struct ClosureRecord {
   int old_node = 0;
@@ -33,9 +44,12 @@ struct ClosureRecord {
   double overlap = 0.0;     // part of the end points in the known part of the old map
   double fit = 0.0;         // explained by the old map, per one of those; hits that end just
                             // outside of the known part count as well
+  double mutual_fit = 0.0;  // the same the other way round: of the old scans in the new map. Not
+                            // taken of candidates that are near
   double gate = 0.0;        // squared Mahalanobis distance from the pose expected
   backend::SE2 old_T_node;  // measured
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of old_T_node, as of backend::Edge
+  Source source = Source::kNear;
   Verdict verdict = Verdict::kNoMatch;
 };
 

@@ -3,22 +3,33 @@
 #include <algorithm>
 #include <cmath>
 
+#include "backend/edge_error.h"
+
 namespace gmapping_spa::loop_closure {
 
 using backend::SE2;
 
 LoopCloser::LoopCloser(const Options& options)
-    : options_(options), verifier_(options.verifier, options.drift, options.candidates) {}
+    : options_(options),
+      verifier_(options.verifier, options.drift, options.candidates),
+      global_(options.global, verifier_, options.drift, options.candidates) {}
 
 int LoopCloser::Update(const std::vector<SE2>& world_T_nodes, const ScanOfNode& scan_of_node) {
   const std::vector<double> ways_driven = WaysDriven(world_T_nodes);
+  int accepted = 0;
+  if (options_.search_everywhere) {
+    accepted +=
+        Follow(global_.Update({world_T_nodes, ways_driven}, scan_of_node, closures_, &records_));
+  }
   // What lies ahead of the node is part of what is matched.
   const auto ahead = std::upper_bound(ways_driven.begin(), ways_driven.end(),
                                       ways_driven.back() - options_.verifier.new_reach_m);
   const int node = static_cast<int>(ahead - ways_driven.begin()) - 1;
-  if (node < 0 || ways_driven[node] < last_attempt_m_ + options_.attempt_every_m) return 0;
+  if (node < 0 || ways_driven[node] < last_attempt_m_ + options_.attempt_every_m) {
+    return accepted;
+  }
   last_attempt_m_ = ways_driven[node];
-  return Attempt(world_T_nodes, ways_driven, scan_of_node, node);
+  return accepted + Attempt(world_T_nodes, ways_driven, scan_of_node, node);
 }
 
 int LoopCloser::UpdateAll(const std::vector<SE2>& world_T_nodes, const ScanOfNode& scan_of_node) {
@@ -30,7 +41,57 @@ int LoopCloser::UpdateAll(const std::vector<SE2>& world_T_nodes, const ScanOfNod
     last_attempt_m = ways_driven[node];
     accepted += Attempt(world_T_nodes, ways_driven, scan_of_node, node);
   }
+  if (options_.search_everywhere) {
+    accepted +=
+        Follow(global_.Finish({world_T_nodes, ways_driven}, scan_of_node, closures_, &records_));
+  }
   return accepted;
+}
+
+int LoopCloser::Follow(const GlobalCloser::Decisions& decisions) {
+  int changed = 0;
+  for (const std::size_t position : decisions.release) changed += Release(position) ? 1 : 0;
+  const auto accept = [&](const std::vector<std::size_t>& positions, bool restore) {
+    for (const std::size_t position : positions) {
+      const ClosureRecord& record = records_[position];
+      const bool is_open = record.verdict == Verdict::kUnconfirmed ||
+                           (restore && record.verdict == Verdict::kReleased);
+      if (!is_open || IsClosed(record)) continue;
+      Accept(position);
+      ++changed;
+    }
+  };
+  accept(decisions.restore, true);
+  // Those of a believed set that Review has released come back when it says so.
+  accept(decisions.accept, false);
+  return changed;
+}
+
+int LoopCloser::Review(const std::vector<SE2>& world_T_nodes) {
+  const auto squared_error = [&](const ClosureRecord& record) {
+    const Eigen::Vector3d error = backend::EdgeError(world_T_nodes[record.old_node],
+                                                     world_T_nodes[record.node], record.old_T_node);
+    return error.dot(record.information * error);
+  };
+  double largest = 0.0;
+  for (const std::size_t position : accepted_) {
+    largest = std::max(largest, squared_error(records_[position]));
+  }
+  // What is wrong bends what is right: those with small errors get another chance.
+  const double limit = std::max(options_.max_squared_error, 0.25 * largest);
+  int changed = 0;
+  for (std::size_t position = 0; position < records_.size(); ++position) {
+    const ClosureRecord& record = records_[position];
+    if (record.verdict == Verdict::kAccepted && squared_error(record) > limit) {
+      Release(position);
+      ++changed;
+    } else if (record.verdict == Verdict::kReleased && !IsClosed(record) &&
+               squared_error(record) <= 0.25 * options_.max_squared_error) {
+      Accept(position);
+      ++changed;
+    }
+  }
+  return changed;
 }
 
 int LoopCloser::Attempt(const std::vector<SE2>& world_T_nodes,
@@ -52,10 +113,11 @@ int LoopCloser::Attempt(const std::vector<SE2>& world_T_nodes,
 // not yet confirmed with which it closes a short loop.
 int LoopCloser::Confirm(const std::vector<SE2>& world_T_nodes,
                         const std::vector<double>& ways_driven, std::size_t newest) {
-  ClosureRecord& a = records_[newest];
+  const ClosureRecord& a = records_[newest];
   int accepted = 0;
   for (std::size_t k = 0; k < newest; ++k) {
-    ClosureRecord& b = records_[k];
+    const ClosureRecord& b = records_[k];
+    if (b.source != Source::kNear && b.verdict != Verdict::kAccepted) continue;  // needs more proof
     if (b.verdict != Verdict::kUnconfirmed && b.verdict != Verdict::kAccepted) continue;
     const double new_way = std::abs(ways_driven[a.node] - ways_driven[b.node]);
     const double old_way = std::abs(ways_driven[a.old_node] - ways_driven[b.old_node]);
@@ -67,9 +129,10 @@ int LoopCloser::Confirm(const std::vector<SE2>& world_T_nodes,
                        Between(world_T_nodes[b.old_node], world_T_nodes[a.old_node]);
     const double squared = options_.drift.SquaredDistance(around, new_way + old_way);
     if (squared > options_.confirm_sigmas * options_.confirm_sigmas) continue;
-    for (ClosureRecord* record : {&a, &b}) {
-      if (record->verdict == Verdict::kAccepted || IsClosed(*record)) continue;
-      Accept(record);
+    for (const std::size_t position : {newest, k}) {
+      const ClosureRecord& record = records_[position];
+      if (record.verdict == Verdict::kAccepted || IsClosed(record)) continue;
+      Accept(position);
       ++accepted;
     }
   }
@@ -83,13 +146,24 @@ bool LoopCloser::IsClosed(const ClosureRecord& record) const {
   });
 }
 
-void LoopCloser::Accept(ClosureRecord* record) {
-  record->verdict = Verdict::kAccepted;
-  closures_.push_back({.i = record->old_node,
-                       .j = record->node,
-                       .i_T_j = record->old_T_node,
-                       .information = record->information,
+void LoopCloser::Accept(std::size_t position) {
+  ClosureRecord& record = records_[position];
+  record.verdict = Verdict::kAccepted;
+  accepted_.push_back(position);
+  closures_.push_back({.i = record.old_node,
+                       .j = record.node,
+                       .i_T_j = record.old_T_node,
+                       .information = record.information,
                        .kind = backend::EdgeKind::kLoopClosure});
+}
+
+bool LoopCloser::Release(std::size_t position) {
+  const auto found = std::find(accepted_.begin(), accepted_.end(), position);
+  if (found == accepted_.end()) return false;
+  records_[position].verdict = Verdict::kReleased;
+  closures_.erase(closures_.begin() + (found - accepted_.begin()));
+  accepted_.erase(found);
+  return true;
 }
 
 }  // namespace gmapping_spa::loop_closure

@@ -8,6 +8,7 @@
 #include "frontend/loop_closure/candidates.h"
 #include "frontend/loop_closure/closure_record.h"
 #include "frontend/loop_closure/drift.h"
+#include "frontend/loop_closure/global_closing.h"
 #include "frontend/loop_closure/local_map.h"
 #include "frontend/loop_closure/verification.h"
 
@@ -25,16 +26,28 @@ class LoopCloser {
     DriftModel drift;
     CandidateOptions candidates;
     Verifier::Options verifier;
+    // Looking for closures farther off than the drift's window, at any heading.
+    bool search_everywhere = true;
+    GlobalCloser::Options global;
+    // Squared error, in variances, from which on an accepted closure contradicts the rest of the
+    // graph.
+    double max_squared_error = 100.0;
   };
 
   explicit LoopCloser(const Options& options);
 
   // Looks for closures of the node that the path has left behind by the reach of the verifier's
-  // scans: at most one node a call. Returns the number of newly accepted closures.
+  // scans: at most one node a call. Returns the number of closures that are newly
+  // accepted or released.
   int Update(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node);
 
   // Looks for closures of all nodes, with what is known by now.
   int UpdateAll(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node);
+
+  // Releases those accepted closures that an optimized graph with all of them contradicts most, and
+  // accepts those released that it agrees with. Returns the number of both: optimize anew, unless
+  // zero. `world_T_nodes`: as optimized with closures().
+  int Review(const std::vector<backend::SE2>& world_T_nodes);
 
   // The accepted ones, as edges of the graph.
   const std::vector<backend::Edge>& closures() const { return closures_; }
@@ -47,11 +60,15 @@ class LoopCloser {
               const std::vector<double>& ways_driven, const ScanOfNode& scan_of_node, int node);
   int Confirm(const std::vector<backend::SE2>& world_T_nodes,
               const std::vector<double>& ways_driven, std::size_t newest);
+  int Follow(const GlobalCloser::Decisions& decisions);
   bool IsClosed(const ClosureRecord& record) const;
-  void Accept(ClosureRecord* record);
+  void Accept(std::size_t position);
+  bool Release(std::size_t position);
 
   Options options_;
   Verifier verifier_;
+  GlobalCloser global_;
+  std::vector<std::size_t> accepted_;  // positions in records_ of closures_
   std::vector<backend::Edge> closures_;
   std::vector<ClosureRecord> records_;
   double last_attempt_m_ = 0.0;

@@ -29,6 +29,37 @@ double Overlap(const map::OccupancyGrid& map, const scan_matching::ScanPoints& p
   return static_cast<double>(known) / static_cast<double>(points.size());
 }
 
+// Of the points in the known part of the map those that end near an obstacle.
+struct Explanation {
+  int known = 0;
+  int explained = 0;
+  double part() const { return known > 0 ? static_cast<double>(explained) / known : 0.0; }
+};
+
+Explanation Explain(const map::OccupancyGrid& map, const scan_matching::ScanPoints& points,
+                    const SE2& map_T_scan, double full_threshold, int reach_cells) {
+  const double cells_per_m = 1.0 / map.resolution_m();
+  Explanation explanation;
+  for (const scan_matching::ScanPoint& point : points) {
+    const Eigen::Vector2d at = map_T_scan * Eigen::Vector2d(point.x_m, point.y_m) * cells_per_m;
+    const map::CellIndex cell{map::FloorToCell(at.x()), map::FloorToCell(at.y())};
+    if (map.cell(cell).visits == 0) continue;
+    ++explanation.known;
+    bool found = false;
+    for (int y = -reach_cells; y <= reach_cells && !found; ++y) {
+      for (int x = -reach_cells; x <= reach_cells && !found; ++x) {
+        const map::Cell& near = map.cell({cell.x + x, cell.y + y});
+        found = near.hits > full_threshold * near.visits;
+      }
+    }
+    explanation.explained += found ? 1 : 0;
+  }
+  return explanation;
+}
+
+// Within which a pose that was predicted and not found is taken to be right.
+constexpr double kPredicted_m = 0.3;
+
 // No local map is better than this, whatever the number of points.
 constexpr double kFloor_m = 0.01;
 constexpr double kFloor_rad = 0.002;
@@ -74,8 +105,44 @@ scan_matching::CorrelativeMatcher::Options Verifier::SearchOptions(
 ClosureRecord Verifier::Verify(const std::vector<SE2>& world_T_nodes,
                                const ScanOfNode& scan_of_node, int node,
                                const Candidate& candidate) const {
+  ClosureRecord record = Compare(
+      world_T_nodes, scan_of_node, node, candidate,
+      {Between(world_T_nodes[candidate.old_node], world_T_nodes[node]), WindowOf(candidate)});
+  if (record.verdict == Verdict::kUnconfirmed && record.gate > options_.max_gate) {
+    record.verdict = Verdict::kGate;
+  }
+  return record;
+}
+
+ClosureRecord Verifier::VerifyAt(const std::vector<SE2>& world_T_nodes,
+                                 const ScanOfNode& scan_of_node, int node,
+                                 const Candidate& candidate, const Expectation& expectation) const {
+  ClosureRecord record = Compare(world_T_nodes, scan_of_node, node, candidate, expectation);
+  if (record.verdict != Verdict::kUnconfirmed && record.verdict != Verdict::kOverlap) return record;
+  const bool is_found = record.verdict == Verdict::kUnconfirmed;
+  const NodeRange old_nodes = NodesAround(world_T_nodes, candidate.old_node, options_.old_reach_m);
+  const NodeRange new_nodes = NodesAround(world_T_nodes, node, options_.new_reach_m);
+  const scan_matching::ScanPoints points =
+      JoinScans(world_T_nodes, scan_of_node, old_nodes, candidate.old_node, options_.cell_m);
+  const Explanation explanation = Explain(
+      BuildLocalMap(world_T_nodes, scan_of_node, new_nodes, node, options_.grid), points,
+      Inverse(is_found ? record.old_T_node : expectation.old_T_node), options_.grid.full_threshold,
+      is_found ? 1 : static_cast<int>(std::ceil(kPredicted_m / options_.grid.resolution_m)));
+  record.mutual_fit = explanation.part();
+  // Where new scans see little that is known, what they see through still speaks.
+  const bool says_much = is_found || explanation.known >= 0.5 * options_.min_expected_overlap *
+                                                              static_cast<double>(points.size());
+  if (says_much && record.mutual_fit < options_.min_mutual_fit) {
+    record.verdict = Verdict::kSeenThrough;
+  }
+  return record;
+}
+
+ClosureRecord Verifier::Compare(const std::vector<SE2>& world_T_nodes,
+                                const ScanOfNode& scan_of_node, int node,
+                                const Candidate& candidate, const Expectation& expectation) const {
   const int old = candidate.old_node;
-  const SE2 expected = Between(world_T_nodes[old], world_T_nodes[node]);
+  const SE2& expected = expectation.old_T_node;
   ClosureRecord record;
   record.old_node = old;
   record.node = node;
@@ -92,7 +159,7 @@ ClosureRecord Verifier::Verify(const std::vector<SE2>& world_T_nodes,
       JoinScans(world_T_nodes, scan_of_node, new_nodes, node, options_.cell_m);
   const map::OccupancyGrid map =
       BuildLocalMap(world_T_nodes, scan_of_node, old_nodes, old, options_.grid);
-  const scan_matching::SearchWindow window = WindowOf(candidate);
+  const scan_matching::SearchWindow& window = expectation.window;
   record.overlap = Overlap(map, points, expected);
   if (window.linear_m <= kSmallWindow_m && record.overlap < options_.min_expected_overlap) {
     return decided(Verdict::kOverlap);
@@ -123,10 +190,10 @@ ClosureRecord Verifier::Verify(const std::vector<SE2>& world_T_nodes,
   record.overlap = Overlap(map, points, fine.world_T_robot);
   const double known = record.overlap * static_cast<double>(points.size());
   record.fit = known > 0.0 ? fine.inliers / known : 0.0;
-  record.gate = drift_.SquaredDistance(Between(expected, fine.world_T_robot), candidate.way_m);
+  const SE2 estimated = Between(world_T_nodes[old], world_T_nodes[node]);
+  record.gate = drift_.SquaredDistance(Between(estimated, fine.world_T_robot), candidate.way_m);
   if (record.overlap < options_.min_overlap) return decided(Verdict::kOverlap);
   if (record.fit < options_.min_fit) return decided(Verdict::kFit);
-  if (record.gate > options_.max_gate) return decided(Verdict::kGate);
   return decided(Verdict::kUnconfirmed);
 }
 

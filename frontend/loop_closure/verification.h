@@ -14,6 +14,12 @@
 
 namespace gmapping_spa::loop_closure {
 
+// Where a closure is looked for.
+struct Expectation {
+  backend::SE2 old_T_node;
+  scan_matching::SearchWindow window;
+};
+
 // Compares what was seen on the way around the one node with a local map made on the way around the
 // other: single scans are too easily mistaken.
 class Verifier {
@@ -30,6 +36,7 @@ class Verifier {
     double min_expected_overlap = 0.4;
     double min_overlap = 0.5;
     double min_fit = 0.6;
+    double min_mutual_fit = 0.6;     // of the old scans in the new map, where the prior is weak
     double max_gate = 13.8;          // 99.9 % of a chi-square distribution of 2 degrees of freedom
     double information_gain = 0.02;  // neighbouring points share the errors of the maps
     map::OccupancyGrid::Options grid;
@@ -39,11 +46,23 @@ class Verifier {
 
   Verifier(const Options& options, const DriftModel& drift, const CandidateOptions& candidates);
 
-  // A record with all but kUnconfirmed and kAccepted decided: kUnconfirmed is what passed.
+  // Looks where the estimate and its drift say. Of the verdicts up to kUnconfirmed, which is that
+  // of what passed.
   ClosureRecord Verify(const std::vector<backend::SE2>& world_T_nodes,
                        const ScanOfNode& scan_of_node, int node, const Candidate& candidate) const;
 
+  // Looks in a small window, wherever that is by the estimate: the gate is computed and decides
+  // nothing. Stricter, since there may be many places that look alike: the old scans must fit the
+  // new map as well.
+  ClosureRecord VerifyAt(const std::vector<backend::SE2>& world_T_nodes,
+                         const ScanOfNode& scan_of_node, int node, const Candidate& candidate,
+                         const Expectation& expectation) const;
+
  private:
+  // All of it but for the gate.
+  ClosureRecord Compare(const std::vector<backend::SE2>& world_T_nodes,
+                        const ScanOfNode& scan_of_node, int node, const Candidate& candidate,
+                        const Expectation& expectation) const;
   scan_matching::SearchWindow WindowOf(const Candidate& candidate) const;
   scan_matching::CorrelativeMatcher::Options SearchOptions(
       const scan_matching::SearchWindow& window) const;

@@ -146,10 +146,7 @@ TrinaryMap ReadMap(const std::string& yaml_path) {
   }
   map.origin_x_m = origin[0];
   map.origin_y_m = origin[1];
-  const double negate = yaml.Number("negate");
-  if (negate != 0.0 && negate != 1.0) {
-    yaml.Fail(yaml.Get("negate"), "expected 0 or 1 for 'negate', found " + Exactly(negate));
-  }
+  const bool negate = yaml.Flag("negate");
   const double occupied_thresh = ReadThreshold(yaml, "occupied_thresh");
   const double free_thresh = ReadThreshold(yaml, "free_thresh");
   if (yaml.Has("mode") && yaml.String("mode") != "trinary") {
@@ -169,7 +166,7 @@ TrinaryMap ReadMap(const std::string& yaml_path) {
       double mean = 0.0;
       for (int channel = 0; channel < image.channels; ++channel) mean += *pixel++;
       mean /= image.channels;
-      const double darkness = (negate == 1.0 ? mean : 255.0 - mean) / 255.0;
+      const double darkness = (negate ? mean : 255.0 - mean) / 255.0;
       map.at(column, row) = darkness > occupied_thresh ? CellState::kOccupied
                             : darkness < free_thresh   ? CellState::kFree
                                                        : CellState::kUnknown;

@@ -76,6 +76,17 @@ double YamlFile::Number(const std::string& key) const {
   return value;
 }
 
+bool YamlFile::Flag(const std::string& key) const {
+  const YAML::Node node = Get(key);
+  bool value = false;
+  if (YAML::convert<bool>::decode(node, value)) return value;
+  double number = 0.0;
+  if (!YAML::convert<double>::decode(node, number) || (number != 0.0 && number != 1.0)) {
+    Fail(node, "expected 0, 1, false or true for '" + key + "', found " + Describe(node));
+  }
+  return number == 1.0;
+}
+
 std::vector<double> YamlFile::Numbers(const YAML::Node& node, std::size_t count,
                                       const std::string& what) const {
   if (!node.IsSequence() || node.size() != count) {

@@ -27,6 +27,8 @@ class YamlFile {
   std::string String(const std::string& key) const;
   // A finite number.
   double Number(const std::string& key) const;
+  // Yes or no: 0, 1, or a boolean as YAML writes it (false, True, no, ...).
+  bool Flag(const std::string& key) const;
   // Exactly `count` finite numbers; `what` says what they are in the message: "[x, y]".
   std::vector<double> Numbers(const YAML::Node& node, std::size_t count,
                               const std::string& what) const;

@@ -60,15 +60,20 @@ void ParticleFilter::Start(const sensor::LaserScan& scan, const SE2& world_T_rob
 }
 
 ParticleFilter::Update ParticleFilter::Advance(const sensor::LaserScan& scan,
-                                               const SE2& odometry_increment) {
+                                               const std::vector<Control>& controls) {
   CHECK(!particles_.empty()) << "Start comes first";
+  CHECK(!controls.empty());
   ++step_;
+  std::vector<double> probabilities;
+  for (const Control& control : controls) probabilities.push_back(control.probability);
+  // From the middle, so that a single particle takes the likeliest.
+  const std::vector<int> shares = SystematicResample(probabilities, options_.particles, 0.5);
   Update update;
   {
     const Stopwatch stopwatch(&times_.matching_s);
     const scan_matching::ScanPoints points = scan_matching::MakeScanPoints(scan);
     ParallelFor(options_.threads, options_.particles,
-                [&](int index) { Move(points, odometry_increment, index); });
+                [&](int index) { Move(points, controls[shares[index]].motion, index); });
   }
   for (Particle& particle : particles_) {
     update.failed_matches += particle.motion.matched ? 0 : 1;
@@ -142,7 +147,7 @@ std::vector<int> ParticleFilter::ChooseAncestors(Update* update) {
   update->resampled =
       update->effective_sample_size < options_.resample_threshold * options_.particles;
   if (update->resampled) {
-    return SystematicResample(weights,
+    return SystematicResample(weights, options_.particles,
                               CounterRandom(options_.seed, kResampleStream, step_).Uniform());
   }
   std::vector<int> everybody(particles_.size());

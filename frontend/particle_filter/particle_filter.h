@@ -44,6 +44,12 @@ class ParticleFilter {
     scan_matching::EndpointModel::Options endpoint;
   };
 
+  // A motion since the step before, as the control input tells it.
+  struct Control {
+    backend::SE2 motion;
+    double probability = 1.0;
+  };
+
   struct Update {
     double effective_sample_size = 0.0;
     bool resampled = false;
@@ -62,8 +68,9 @@ class ParticleFilter {
   // Starts all particles at `world_T_robot` with a map of this scan.
   void Start(const sensor::LaserScan& scan, const backend::SE2& world_T_robot);
 
-  // One step of the filter, given the odometry increment since the step before.
-  Update Advance(const sensor::LaserScan& scan, const backend::SE2& odometry_increment);
+  // One step of the filter. Where there is more than one control, the particles share them out in
+  // proportion to their probabilities, which add up to 1: the scans to come decide.
+  Update Advance(const sensor::LaserScan& scan, const std::vector<Control>& controls);
 
   // Index of the particle whose whole path explains the scans best.
   int BestParticle() const;

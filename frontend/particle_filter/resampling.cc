@@ -24,11 +24,11 @@ double EffectiveSampleSize(const std::vector<double>& weights) {
   return 1.0 / std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0);
 }
 
-std::vector<int> SystematicResample(const std::vector<double>& weights, double uniform) {
-  const int count = static_cast<int>(weights.size());
+std::vector<int> SystematicResample(const std::vector<double>& weights, int count, double uniform) {
+  const int size = static_cast<int>(weights.size());
   std::vector<int> ancestors;
   double cumulative = 0.0;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < size; ++i) {
     cumulative += weights[i] * count;
     while (static_cast<int>(ancestors.size()) < count &&
            static_cast<double>(ancestors.size()) + uniform < cumulative) {
@@ -36,7 +36,7 @@ std::vector<int> SystematicResample(const std::vector<double>& weights, double u
     }
   }
   // Rounding may leave the sum of the weights a hair below 1.
-  ancestors.resize(count, count - 1);
+  ancestors.resize(count, size - 1);
   return ancestors;
 }
 

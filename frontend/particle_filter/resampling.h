@@ -13,9 +13,9 @@ std::vector<double> NormalizedWeights(const std::vector<double>& log_weights, do
 // Eq. (17): N_eff = 1 / sum w^2, between 1 and the number of particles.
 double EffectiveSampleSize(const std::vector<double>& weights);
 
-// Systematic resampling: as many ancestors as weights, ascending, particle i floor(N w_i) or
-// ceil(N w_i) times. `uniform` in [0, 1) is the only random number.
-std::vector<int> SystematicResample(const std::vector<double>& weights, double uniform);
+// Systematic resampling: `count` draws N, ascending, index i floor(N w_i) or ceil(N w_i) times.
+// `uniform` in [0, 1) is the only random number.
+std::vector<int> SystematicResample(const std::vector<double>& weights, int count, double uniform);
 
 }  // namespace gmapping_spa::particle_filter
 

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "backend/text_line.h"
+
 namespace gmapping_spa::sensor {
 namespace {
 
@@ -15,9 +17,6 @@ using backend::SE2;
 
 // Room for half a million readings; what is longer is not a log, and must not fill the memory.
 constexpr std::size_t kMaxLineBytes = 4 << 20;
-
-// Poses are written with a few decimals; a laser really mounted elsewhere differs by more.
-constexpr double kMountingTolerance = 1e-2;  // m and rad
 
 // Records of the format that say nothing about scans of the front laser or about odometry.
 bool IsIgnored(std::string_view type) {
@@ -65,7 +64,7 @@ LogCounts CarmenReader::counts() const {
           {"ignored_records", num_ignored_},
           {"unknown_records", num_unknown_},
           {"malformed_records", num_malformed_},
-          {"laser_pose_mismatches", num_laser_pose_mismatches_}};
+          {"assumed_field_of_view", num_assumed_angles_}};
 }
 
 bool CarmenReader::ReadLine() {
@@ -85,6 +84,7 @@ bool CarmenReader::ReadLine() {
   }
   if (size > 0 && buffer_[size - 1] == '\r') --size;
   line_ = std::string_view(buffer_.get(), size);
+  if (num_lines_ == 1) line_ = backend::WithoutByteOrderMark(line_);
   return true;
 }
 
@@ -126,16 +126,12 @@ ScanRecord CarmenReader::ParseFlaser(RecordFields fields) {
   record.has_odometry = true;
   record.scan.odom_T_robot = fields.Pose("robot pose");
   record.scan.stamp_s = ParseStamp(fields);
-  // The laser's pose is not taken for its mounting: in corrected logs, which are common, it comes
-  // from a map while the robot's comes from the wheels. Telling how often they differ will do.
   record.scan.robot_T_laser = mounting();
+  record.told_robot_T_laser = Between(record.scan.odom_T_robot, odom_T_laser);
+  record.mounting_is_known = has_mounting_ || options_.robot_T_laser;
   record.scan.beams =
       CheckedBeams(ranges_m, TabulatedAngles(ranges_m.size()), options_.usable_range_m);
-  const SE2 difference = Between(mounting(), Between(record.scan.odom_T_robot, odom_T_laser));
-  if (difference.translation().norm() > kMountingTolerance ||
-      std::abs(difference.theta) > kMountingTolerance) {
-    ++num_laser_pose_mismatches_;
-  }
+  if (!options_.fov_rad) ++num_assumed_angles_;
   return record;
 }
 
@@ -182,7 +178,10 @@ void CarmenReader::ParseParameter(RecordFields fields) {
   } else if (parameter == "robot_frontlaser_angular_offset") {
     robot_T_front_laser_.theta =
         backend::WrapAngle(fields.FiniteNumber("angular offset of the laser"));
+  } else {
+    return;
   }
+  has_mounting_ = true;
 }
 
 double CarmenReader::ParseStamp(RecordFields& fields) const {

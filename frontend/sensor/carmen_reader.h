@@ -48,6 +48,7 @@ class CarmenReader : public RecordReader {
   std::string name_;
   LogOptions options_;
   backend::SE2 robot_T_front_laser_;  // from PARAM records
+  bool has_mounting_ = false;         // whether there were any
 
   std::unique_ptr<char[]> buffer_;  // of the line
   std::string_view line_;
@@ -60,7 +61,7 @@ class CarmenReader : public RecordReader {
   std::int64_t num_ignored_ = 0;
   std::int64_t num_unknown_ = 0;
   std::int64_t num_malformed_ = 0;
-  std::int64_t num_laser_pose_mismatches_ = 0;
+  std::int64_t num_assumed_angles_ = 0;
   std::string first_malformed_;  // its message
 };
 

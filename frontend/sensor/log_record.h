@@ -19,6 +19,10 @@ struct ScanRecord {
   LaserScan scan;             // its index is given later, its odometry too if it has none
   bool has_odometry = false;  // whether the record came with scan.odom_T_robot
   std::int64_t line = 0;      // in the file, from 1
+
+  // Of records whose laser pose may or may not tell the mounting (see LaserMountingReader).
+  std::optional<backend::SE2> told_robot_T_laser;
+  bool mounting_is_known = false;  // scan.robot_T_laser was said by the log's parameters or options
 };
 
 struct OdometryRecord {

@@ -14,12 +14,20 @@ std::optional<LaserScan> LogValidator::Next() {
   previous_stamp_s_ = record->scan.stamp_s;
   previous_num_beams_ = record->scan.beams.size();
   ++num_scans_;
+  for (const Beam& beam : record->scan.beams) {
+    ++(beam.status == BeamStatus::kHit        ? num_hits_
+       : beam.status == BeamStatus::kNoReturn ? num_no_returns_
+                                              : num_invalid_);
+  }
   return std::move(record->scan);
 }
 
 LogCounts LogValidator::counts() const {
   LogCounts counts = source_.counts();
   counts["scans"] = num_scans_;
+  counts["beams_hit"] = num_hits_;
+  counts["beams_no_return"] = num_no_returns_;
+  counts["beams_invalid"] = num_invalid_;
   counts["gaps"] = num_gaps_;
   counts["duplicate_stamps"] = num_duplicate_stamps_;
   counts["changed_beam_counts"] = num_changed_beam_counts_;

@@ -15,8 +15,9 @@ namespace gmapping_spa::sensor {
 
 // Compares each scan with the one before it. Counts scans more than options.gap_s apart ("gaps"),
 // with the same stamp ("duplicate_stamps") and with another number of beams
-// ("changed_beam_counts"). All of them are delivered under kSkip, as every one has its pose in the
-// trajectory; under kFail the first of them is an error.
+// ("changed_beam_counts"), and beams by status ("beams_hit", "beams_no_return", "beams_invalid").
+// All of them are delivered under kSkip, as every one has its pose in the trajectory; under kFail
+// the first of them is an error.
 class LogValidator : public LogReader {
  public:
   LogValidator(TimeOrderedReader source, std::string name, const LogOptions& options);
@@ -36,6 +37,9 @@ class LogValidator : public LogReader {
   std::size_t previous_num_beams_ = 0;
 
   std::int64_t num_scans_ = 0;
+  std::int64_t num_hits_ = 0;
+  std::int64_t num_no_returns_ = 0;
+  std::int64_t num_invalid_ = 0;
   std::int64_t num_gaps_ = 0;
   std::int64_t num_duplicate_stamps_ = 0;
   std::int64_t num_changed_beam_counts_ = 0;

@@ -13,8 +13,9 @@ using backend::SE2;
 // Loggers give stamps milliseconds apart to scans that were waiting.
 constexpr double kShortestPeriodS = 0.1;
 // A gap in the log must not pass for the usual time between scans.
-constexpr double kLongestUsualPeriodS = 1.0;
-constexpr double kPeriodGain = 0.1;  // a mean over about ten steps
+constexpr double kLongestUsualPeriodS = 5.0;
+// A mean over about so many steps: longer than any bunch of scans that were waiting.
+constexpr double kUsualSteps = 100;
 
 // Steps this short are never impossible, however slow the robot is said to be.
 constexpr double kAllowanceM = 0.15, kAllowanceRad = 0.15;
@@ -50,6 +51,26 @@ bool IsRepeated(const std::vector<Beam>& before, const std::vector<Beam>& beams)
 }
 
 }  // namespace
+
+const char* OdometryFaultName(OdometryFault fault) {
+  switch (fault) {
+    case OdometryFault::kNone:
+      return "none";
+    case OdometryFault::kFirst:
+      return "first";
+    case OdometryFault::kImpossible:
+      return "impossible";
+    case OdometryFault::kRestart:
+      return "restart";
+    case OdometryFault::kUnchanged:
+      return "unchanged";
+    case OdometryFault::kRepeatedScan:
+      return "repeated_scan";
+    case OdometryFault::kMissing:
+      return "missing";
+  }
+  return "unknown";
+}
 
 OdometryCheck::OdometryCheck(const Options& options)
     : options_(options),
@@ -104,7 +125,8 @@ void OdometryCheck::Remember(const LaserScan& scan, const Step& step, double ela
   if (previous_) {
     const double period_s =
         std::clamp(scan.stamp_s - previous_->stamp_s, 0.0, kLongestUsualPeriodS);
-    usual_period_s_ += (period_s - usual_period_s_) * kPeriodGain;
+    num_steps_ = std::min(num_steps_ + 1.0, kUsualSteps);
+    usual_period_s_ += (period_s - usual_period_s_) / num_steps_;
   }
   if (step.fault == OdometryFault::kNone) {
     usual_speed_m_s_ = std::max(usual_speed_m_s_, step.motion.translation().norm() / elapsed_s);

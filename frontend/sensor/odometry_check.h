@@ -21,6 +21,10 @@ enum class OdometryFault : std::uint8_t {
   kMissing        // the log holds no odometry for this scan or the one before
 };
 
+// Its name in records: "none", "first", "impossible", "restart", "unchanged", "repeated_scan",
+// "missing".
+const char* OdometryFaultName(OdometryFault fault);
+
 // Takes the scans of a log in order. Every step is judged by the reading before it alone, so that
 // after a fault the next good reading counts again.
 class OdometryCheck {
@@ -65,6 +69,7 @@ class OdometryCheck {
   std::optional<backend::SE2> first_odom_T_robot_;
   std::vector<Beam> previous_beams_;
   double usual_period_s_ = 0.0;  // mean of the last steps of time
+  double num_steps_ = 0.0;       // of time in that mean
   double usual_speed_m_s_;       // the fastest that was possible so far
   double usual_turn_rad_s_;
 };

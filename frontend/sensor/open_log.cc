@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "frontend/sensor/carmen_reader.h"
+#include "frontend/sensor/laser_mounting.h"
 #include "frontend/sensor/log_validator.h"
 #include "frontend/sensor/time_ordered_reader.h"
 
@@ -37,7 +38,8 @@ std::unique_ptr<LogReader> OpenCarmenLog(std::unique_ptr<std::istream> in, const
                                          const LogOptions& options) {
   CheckOptions(options);
   auto records = std::make_unique<CarmenReader>(std::move(in), name, options);
-  TimeOrderedReader ordered(std::move(records), name, options);
+  auto mounted = std::make_unique<LaserMountingReader>(std::move(records));
+  TimeOrderedReader ordered(std::move(mounted), name, options);
   return std::make_unique<LogValidator>(std::move(ordered), name, options);
 }
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <string>
 
+#include "backend/text_line.h"
+
 namespace gmapping_spa::sensor {
 namespace {
 
@@ -13,17 +15,9 @@ constexpr std::string_view kBlanks = " \t";
 constexpr double kMaxMagnitude = 1e9;  // of coordinates and angles
 constexpr double kMaxStamp = 1e12;     // s; the year 33658
 
-// The word as a message can show it: on one line, whatever its bytes are.
-std::string Quoted(std::string_view word) {
-  constexpr std::size_t kMaxShown = 40;
-  std::string quoted = "'";
-  for (const char c : word.substr(0, kMaxShown)) quoted += (c >= ' ' && c <= '~') ? c : '?';
-  return quoted + (word.size() > kMaxShown ? "...'" : "'");
-}
-
 [[noreturn]] void Fail(const std::string& expected, std::string_view found) {
   throw MalformedRecord("expected " + expected + ", found " +
-                        (found.empty() ? "the end of the line" : Quoted(found)));
+                        (found.empty() ? "the end of the line" : backend::Quoted(found)));
 }
 
 }  // namespace

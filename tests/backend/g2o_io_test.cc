@@ -70,6 +70,34 @@ TEST(ReadG2o, TakesEdgesBetweenConsecutiveIdsForOdometry) {
   EXPECT_EQ(graph.edges[2].kind, EdgeKind::kLoopClosure);
 }
 
+TEST(ReadG2o, NeighborsAmongTheIdsThatExistAreTheChain) {
+  const PoseGraph graph = Read(
+      "VERTEX_SE2 9 3 0 0\nVERTEX_SE2 0 0 0 0\nVERTEX_SE2 4 1 0 0\n"
+      "EDGE_SE2 0 4 1 0 0 1 0 0 1 0 1\nEDGE_SE2 9 4 -1 0 0 1 0 0 1 0 1\n"
+      "EDGE_SE2 0 9 2 0 0 1 0 0 1 0 1\n");
+  EXPECT_EQ(graph.edges[0].kind, EdgeKind::kOdometry);
+  EXPECT_EQ(graph.edges[1].kind, EdgeKind::kOdometry);
+  EXPECT_EQ(graph.edges[2].kind, EdgeKind::kLoopClosure);
+}
+
+TEST(ReadG2o, SkipsAByteOrderMarkAndCommentsAfterFields) {
+  const PoseGraph graph = Read(
+      "\xef\xbb\xbfVERTEX_SE2 0 0 0 0 # start\nVERTEX_SE2 1 1 0 0# no blank\n"
+      "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1 #odometry\nFIX 0 # 1\n");
+  EXPECT_EQ(graph.nodes.size(), 2u);
+  EXPECT_EQ(graph.edges.size(), 1u);
+  EXPECT_TRUE(graph.nodes[0].fixed);
+  EXPECT_FALSE(graph.nodes[1].fixed);
+}
+
+TEST(ReadG2o, AnOffsetOfASensorDoesNotMoveEdgesBetweenVertices) {
+  const std::string text =
+      "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\nEDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n";
+  for (const char* offset : {"PARAMS_SE2OFFSET 0 0 0 0\n", "PARAMS_SE2OFFSET 3 0.1 -2 0.5\n"}) {
+    EXPECT_EQ(Write(Read(offset + text)), Write(Read(text)));
+  }
+}
+
 TEST(ReadG2o, PlacesNodesOfAFileWithoutVerticesAlongTheOdometryChain) {
   // The loop closure 0 -> 2 contradicts the odometry, which wins.
   const PoseGraph graph = Read(
@@ -95,7 +123,19 @@ TEST(ReadG2o, NamesTheLineOfWhatItCannotRead) {
     const char* message;
   } cases[] = {
       {nodes + "VERTEX_XY 1 0 0",
-       "graph.g2o:3: expected a VERTEX_SE2, EDGE_SE2, FIX, VERTEX2 or EDGE2 record"},
+       "graph.g2o:3: expected a VERTEX_SE2, EDGE_SE2, FIX, VERTEX2 or EDGE2 record, found "
+       "'VERTEX_XY': landmarks are not supported"},
+      {nodes + "EDGE_SE2_XY 0 1 1 0 1 0 1",
+       "graph.g2o:3: expected a VERTEX_SE2, EDGE_SE2, FIX, VERTEX2 or EDGE2 record, found "
+       "'EDGE_SE2_XY': landmarks are not supported"},
+      {"VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1",
+       "graph.g2o:1: expected a VERTEX_SE2, EDGE_SE2, FIX, VERTEX2 or EDGE2 record, found "
+       "'VERTEX_SE3:QUAT': graphs in 3D are not supported"},
+      {"VERTEX_SWITCH 0 1",
+       "graph.g2o:1: expected a VERTEX_SE2, EDGE_SE2, FIX, VERTEX2 or EDGE2 record, found "
+       "'VERTEX_SWITCH'"},
+      {"PARAMS_SE2OFFSET 0 0 0",
+       "graph.g2o:1: expected an offset as an integer id and three finite numbers x y theta"},
       {"VERTEX_SE2 0 0 0",
        "graph.g2o:1: expected a vertex as an integer id and three finite numbers x y theta"},
       {"VERTEX_SE2 0 0 nan 0",
@@ -137,7 +177,7 @@ TEST(WriteG2o, IsReadBackExactly) {
                  {0, 0, {std::nextafter(1e6, 2e6), -0.0, 3}}};
   Eigen::Matrix3d information;
   information << 1.0 / 7, 0.1, 0.01, 0.1, 2, 0.3, 0.01, 0.3, 1e10 / 3;
-  graph.edges = {{0, -4, {1.0 / 9, 2e-9, 3}, information, EdgeKind::kLoopClosure},
+  graph.edges = {{0, -4, {1.0 / 9, 2e-9, 3}, information, EdgeKind::kOdometry},
                  {-4, graph.nodes[1].id, {0, 0, 0}, information, EdgeKind::kLoopClosure}};
   const PoseGraph again = Read(Write(graph));
   ASSERT_EQ(again.nodes.size(), graph.nodes.size());

@@ -33,6 +33,21 @@ TEST(NumberRows, SkipsCommentsAndBlankLinesAndTakesAnyBlanks) {
   EXPECT_FALSE(rows.Next());
 }
 
+TEST(NumberRows, SkipsAByteOrderMarkAndCommentsAfterTheColumns) {
+  std::istringstream in(
+      "\xef\xbb\xbf"
+      "1 2 # first\n3 4# second\n");
+  NumberRows rows(in, "file.txt", "a b");
+  ASSERT_TRUE(rows.Next());
+  EXPECT_THAT(rows.row(), ElementsAre(1.0, 2.0));
+  ASSERT_TRUE(rows.Next());
+  EXPECT_THAT(rows.row(), ElementsAre(3.0, 4.0));
+  EXPECT_EQ(ErrorOf("1 2\n\xef\xbb\xbf"
+                    "3 4\n"),
+            "file.txt:2: expected a finite number, found '??"
+            "?3'");
+}
+
 TEST(NumberRows, ReadsALastLineWithoutLineEnd) {
   std::istringstream in("1 2\n3 4");
   NumberRows rows(in, "file.txt", "a b");

@@ -249,6 +249,42 @@ TEST_F(FinalRoundTest, ClosesLoopsEverywhereUntilNothingIsFound) {
   EXPECT_EQ(estimate.graph.edges.size(), path_.edges.size() + closer.closures().size());
 }
 
+TEST_F(FinalRoundTest, LetsGoOfAClosureThatTheBackEndContradicts) {
+  Drive(synthetic::DriveOnRing(0, 60, 0.25), synthetic::Ring());
+  loop_closure::LoopCloser closer({});
+  // A back end that holds a node 3 m off where its closures say.
+  std::int64_t moved = -1;
+  optimize_ = [&](const PoseGraph& graph) -> std::optional<PoseGraph> {
+    asked_.push_back(graph);
+    PoseGraph optimized = graph;
+    if (moved < 0 && graph.edges.size() > path_.edges.size()) {
+      moved = graph.edges.back().j;
+      optimized.nodes.at(moved).world_T_node.y += 3.0;
+    }
+    return optimized;
+  };
+  FinalRound::Options options = Refine(0);
+  options.closing_rounds = 1;
+  const Estimate estimate = Finish(options, &closer);
+  ASSERT_GE(moved, 0);
+  ASSERT_FALSE(closer.closures().empty());
+  for (const backend::Edge& closure : closer.closures()) EXPECT_NE(closure.j, moved);
+  EXPECT_LT(asked_.back().edges.size(), asked_[asked_.size() - 2].edges.size());
+  EXPECT_EQ(estimate.graph.edges.size(), path_.edges.size() + closer.closures().size());
+}
+
+TEST_F(FinalRoundTest, ABackEndThatMovesNothingContradictsNothing) {
+  Drive(synthetic::DriveOnRing(0, 60, 0.25), synthetic::Ring());
+  for (backend::Node& node : path_.nodes) {
+    if (node.id >= 45) node.world_T_node.x += 0.6;  // closures are far off their estimate
+  }
+  loop_closure::LoopCloser::Options closing;
+  closing.max_squared_error = 1e-3;
+  loop_closure::LoopCloser closer(closing);
+  Finish(Refine(0), &closer);
+  EXPECT_GE(closer.closures().size(), 2u);
+}
+
 TEST_F(FinalRoundTest, NoClosingRoundsFindNothing) {
   Drive(synthetic::DriveOnRing(0, 60, 0.25), synthetic::Ring());
   loop_closure::LoopCloser closer({});

@@ -131,6 +131,16 @@ TEST_F(BadInput, OdometryThatJumpsOffTheMapIsOneLine) {
   }
 }
 
+TEST_F(BadInput, RangesInCentimetersAreOneLineThatAsksForTheUnit) {
+  std::string log;
+  for (int i = 1; i <= 5; ++i) {
+    log += "FLASER 3 300 512.5 900 0 0 0 0 0 0 " + std::to_string(i) + " host 0\n";
+  }
+  ExpectOneLine(Run(GMAPPING_SPA, LogFlags(folder_.FileWith("cm.clf", log))),
+                "no beam of any scan ended between 0.05 and 40 m");
+  ExpectOneLine(Run(GMAPPING_SPA, LogFlags(folder_.FileWith("cm.clf", log))), "cm or mm");
+}
+
 TEST_F(BadInput, PathsThatCannotBeUsedAreOneLine) {
   ExpectOneLine(Run(GMAPPING_SPA, {"--log=" + folder_.Path("none")}), folder_.Path("none"));
   ExpectOneLine(Run(GMAPPING_SPA, {"--log=" + folder_.path()}), "found a directory");

@@ -38,8 +38,10 @@ TEST(WriteClosures, WritesALineForEachCandidate) {
   record.second_score = 0.5;
   record.overlap = 0.625;
   record.fit = 0.875;
+  record.mutual_fit = 0.75;
   record.gate = 2.25;
   record.old_T_node = {-1.25, 0.5, 0.0625};
+  record.source = loop_closure::Source::kFollowed;
   record.verdict = Verdict::kAccepted;
   ClosureRecord refused;
   refused.node = 3;
@@ -48,11 +50,11 @@ TEST(WriteClosures, WritesALineForEachCandidate) {
   WriteClosures({record, refused}, Nodes(5), out);
   EXPECT_EQ(out.str(),
             "old_node,node,old_stamp_s,stamp_s,way_m,distance_m,score,second_score,overlap,fit,"
-            "gate,x_m,y_m,theta_rad,verdict\n"
-            "1,4,1000000000.500000,1000000002.000000,48.250,1.500,0.750,0.500,0.625,0.875,2.250,"
-            "-1.2500,0.5000,0.0625,accepted\n"
+            "mutual_fit,gate,x_m,y_m,theta_rad,source,verdict\n"
+            "1,4,1000000000.500000,1000000002.000000,48.250,1.500,0.750,0.500,0.625,0.875,0.750,"
+            "2.250,-1.2500,0.5000,0.0625,followed,accepted\n"
             "0,3,1000000000.000000,1000000001.500000,0.000,0.000,0.000,0.000,0.000,0.000,0.000,"
-            "0.0000,0.0000,0.0000,overlap\n");
+            "0.000,0.0000,0.0000,0.0000,near,overlap\n");
 }
 
 TEST(WriteClosures, WritesTheHeaderAloneWithoutCandidates) {

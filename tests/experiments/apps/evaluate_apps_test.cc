@@ -14,6 +14,7 @@
 namespace gmapping_spa::apps {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -70,9 +71,9 @@ TEST_F(EvaluateRelationsApp, BadInputIsOneLine) {
               StartsWith("evaluate_relations: error: "));
   const std::string empty = folder_.FileWith("empty", "");
   EXPECT_THAT(ErrorOf({EVALUATE_RELATIONS, "--relations=" + empty, poses}),
-              HasSubstr("none of the 0 relations"));
+              HasSubstr("holds no relations"));
   EXPECT_THAT(ErrorOf({EVALUATE_RELATIONS, relations, "--trajectory=" + empty}),
-              HasSubstr("0 stamps"));
+              HasSubstr("holds no poses"));
 }
 
 TEST_F(EvaluateRelationsApp, BadFlagsAreOneLine) {
@@ -127,8 +128,15 @@ TEST_F(EvaluateTrajectoryApp, BadInputAndBadFlagsAreOneLine) {
   EXPECT_THAT(ErrorOf({EVALUATE_TRAJECTORY, truth, poses, "--rpe_delta=0.5"}), HasSubstr("step"));
   EXPECT_THAT(ErrorOf({EVALUATE_TRAJECTORY, truth, poses, "--rpe_delta=5"}), HasSubstr("step"));
   const std::string later = folder_.FileWith("later.tum", "100 0 0 0 0 0 0 1\n");
-  EXPECT_THAT(ErrorOf({EVALUATE_TRAJECTORY, truth, "--trajectory=" + later}),
-              HasSubstr("no pose could be associated"));
+  EXPECT_THAT(
+      ErrorOf({EVALUATE_TRAJECTORY, truth, "--trajectory=" + later}),
+      AllOf(HasSubstr("no pose could be associated"), HasSubstr(poses_ + " has stamps from "),
+            HasSubstr(later + " has stamps from 100.000 to 100.000")));
+  const std::string empty = folder_.FileWith("empty.tum", "# nothing\n");
+  EXPECT_EQ(ErrorOf({EVALUATE_TRAJECTORY, truth, "--trajectory=" + empty}),
+            "evaluate_trajectory: error: " + empty + ": holds no poses\n");
+  EXPECT_EQ(ErrorOf({EVALUATE_TRAJECTORY, "--truth=" + empty, poses}),
+            "evaluate_trajectory: error: " + empty + ": holds no poses\n");
   const std::string broken = folder_.FileWith("broken2.tum", "# t x y\n0 0 0\n");
   EXPECT_THAT(ErrorOf({EVALUATE_TRAJECTORY, "--truth=" + broken, poses}),
               HasSubstr(broken + ":2: expected 8 columns"));

@@ -128,6 +128,18 @@ TEST_F(GmappingSpaTour, RunRecordTellsWhatWasRunOnWhat) {
   EXPECT_GT(record["resources"]["processing_s"], 0.0);
 }
 
+TEST_F(GmappingSpaTour, WhatTheReaderNoticedIsSaidOnceAndRecorded) {
+  EXPECT_EQ(ReadRunRecord(Result())["health"].count("unknown_records"), 0u);
+  const std::string output_dir = folder_.Path("out");
+  const std::string log =
+      folder_.FileWith("odd.clf", "WHAT 1 2\n" + Contents(Log()) + "WHAT 3 4\n");
+  const CommandResult result = RunCommand(Command(output_dir, {"--log=" + log}));
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("unknown_records: 2 records of an unknown type"));
+  const Json health = ReadRunRecord(output_dir)["health"];
+  EXPECT_EQ(health["unknown_records"]["count"], 2);
+}
+
 TEST_F(GmappingSpaTour, HelpShowsDefaultsAsTheyAreWritten) {
   const CommandResult help = RunCommand({GMAPPING_SPA, "--help"});
   EXPECT_EQ(help.status, 0);

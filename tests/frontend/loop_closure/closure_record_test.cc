@@ -14,13 +14,22 @@ TEST(VerdictName, IsWhatTheFilesSay) {
   EXPECT_STREQ(VerdictName(Verdict::kUnstable), "unstable");
   EXPECT_STREQ(VerdictName(Verdict::kOverlap), "overlap");
   EXPECT_STREQ(VerdictName(Verdict::kFit), "fit");
+  EXPECT_STREQ(VerdictName(Verdict::kSeenThrough), "seen_through");
   EXPECT_STREQ(VerdictName(Verdict::kGate), "gate");
   EXPECT_STREQ(VerdictName(Verdict::kUnconfirmed), "unconfirmed");
+  EXPECT_STREQ(VerdictName(Verdict::kReleased), "released");
   EXPECT_STREQ(VerdictName(Verdict::kAccepted), "accepted");
 }
 
 TEST(VerdictName, OfNoVerdictIsUnknown) {
   EXPECT_STREQ(VerdictName(static_cast<Verdict>(200)), "unknown");
+}
+
+TEST(SourceName, IsWhatTheTableSays) {
+  EXPECT_STREQ(SourceName(Source::kNear), "near");
+  EXPECT_STREQ(SourceName(Source::kPlace), "place");
+  EXPECT_STREQ(SourceName(Source::kFollowed), "followed");
+  EXPECT_STREQ(SourceName(static_cast<Source>(200)), "unknown");
 }
 
 TEST(ClosureRecord, StartsAsNoMatch) { EXPECT_EQ(ClosureRecord{}.verdict, Verdict::kNoMatch); }

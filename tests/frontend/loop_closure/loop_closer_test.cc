@@ -186,6 +186,44 @@ TEST_F(LoopClosing, APlaceThatIsLookedAtAgainIsClosedOnce) {
   EXPECT_GE(closures.size(), 2u);
 }
 
+TEST_F(LoopClosing, ReleasesWhatTheGraphContradictsAndTakesItBack) {
+  Drive(66, kDrift);
+  LoopCloser closer(Options());
+  const int accepted = UpdateWithEveryNode(&closer);
+  ASSERT_GE(accepted, 2);
+  EXPECT_EQ(closer.Review(truth_), 0) << "all of them are right";
+
+  // As optimized by something that knows that one of them is wrong, by 2 m.
+  std::vector<SE2> elsewhere = truth_;
+  const std::int64_t node = closer.closures().back().j;
+  elsewhere[node].y += 2.0;
+  EXPECT_EQ(closer.Review(elsewhere), 1);
+  EXPECT_EQ(closer.closures().size(), static_cast<std::size_t>(accepted) - 1);
+  int released = 0;
+  for (const ClosureRecord& record : closer.records()) {
+    if (record.verdict != Verdict::kReleased) continue;
+    ++released;
+    EXPECT_EQ(record.node, node);
+  }
+  EXPECT_EQ(released, 1);
+  EXPECT_EQ(closer.Review(elsewhere), 0);
+
+  EXPECT_EQ(closer.Review(truth_), 1);
+  EXPECT_EQ(closer.closures().size(), static_cast<std::size_t>(accepted));
+}
+
+TEST_F(LoopClosing, ReleasesTheWorstFirst) {
+  Drive(66, kDrift);
+  LoopCloser closer(Options());
+  ASSERT_GE(UpdateWithEveryNode(&closer), 2);
+  // What is bent by a wrong closure may be right: only the wrong one goes.
+  std::vector<SE2> elsewhere = truth_;
+  elsewhere[closer.closures().front().j].y += 5.0;
+  elsewhere[closer.closures().back().j].y += 1.0;
+  EXPECT_EQ(closer.Review(elsewhere), 1);
+  EXPECT_EQ(closer.Review(elsewhere), 1) << "the next one, unless it fits by now";
+}
+
 TEST_F(LoopClosing, PathOfOneNodeIsNoLoop) {
   Drive(0, {});
   LoopCloser closer(Options());

@@ -107,6 +107,18 @@ TEST_F(MapServerIo, NegateMakesWhiteOccupied) {
   EXPECT_THAT(map.cells, testing::ElementsAre(kO, kF));
 }
 
+TEST_F(MapServerIo, NegateMayBeABooleanAsNav2WritesIt) {
+  Write("map.pgm", std::string("P5\n2 1\n255\n\xff\0", 13));
+  for (const auto& [negate, first] :
+       {std::pair("false", kF), std::pair("True", kO), std::pair("no", kF), std::pair("1", kO)}) {
+    const TrinaryMap map = ReadMap(
+        Write("map.yaml",
+              std::string("\xef\xbb\xbfimage: map.pgm\nresolution: 1\norigin: [0, 0, 0.0]\n") +
+                  "negate: " + negate + "\noccupied_thresh: 0.65\nfree_thresh: 0.196\n"));
+    EXPECT_EQ(map.cells.at(0), first) << negate;
+  }
+}
+
 TEST_F(MapServerIo, ReadsPngOfAnyChannels) {
   EXPECT_THAT(ReadMap(WritePng(3, 1, 1, {0, 205, 254})).cells, testing::ElementsAre(kO, kU, kF));
   // Channels are averaged: 85 gives darkness 2/3.

@@ -45,6 +45,17 @@ TEST_F(YamlFileTest, GivesStringsNumbersAndLists) {
   EXPECT_FALSE(yaml.Has("width"));
 }
 
+TEST_F(YamlFileTest, FlagsAreBooleansOrZeroAndOne) {
+  const YamlFile yaml = Read("a: false\nb: True\nc: 0\nd: 1\ne: 2\nf: perhaps\n");
+  EXPECT_FALSE(yaml.Flag("a"));
+  EXPECT_TRUE(yaml.Flag("b"));
+  EXPECT_FALSE(yaml.Flag("c"));
+  EXPECT_TRUE(yaml.Flag("d"));
+  EXPECT_EQ(ComplaintOf([&] { yaml.Flag("e"); }),
+            path_ + ":5: expected 0, 1, false or true for 'e', found '2'");
+  EXPECT_THAT(ComplaintOf([&] { yaml.Flag("f"); }), HasSubstr("'perhaps'"));
+}
+
 TEST_F(YamlFileTest, ComplaintsNameTheFileAndTheLine) {
   const YamlFile yaml = Read("a: 1\nb: word\nc: .nan\nd: [1]\n");
   EXPECT_THAT(ComplaintOf([&] { yaml.Number("b"); }), StartsWith(path_ + ":2: "));

@@ -75,11 +75,30 @@ TEST(CarmenReader, ParametersMountTheLaserFromThereOn) {
   ExpectNear(log.scans[1].scan.robot_T_laser, {0.1, -0.2, 0.3});
 }
 
-TEST(CarmenReader, LaserPoseThatContradictsTheMountingIsCounted) {
+TEST(CarmenReader, FlaserTellsItsLaserPoseAndWhetherTheMountingIsKnown) {
   const std::string ahead = "FLASER 2 1 1 1.25 2 0 1 2 0 5 nohost 0\n";  // by 0.25 m
-  EXPECT_EQ(Read(ahead).counts.at("laser_pose_mismatches"), 1);
-  const Log log = Read("PARAM robot_frontlaser_offset 0.25 nohost 0\n" + ahead);
-  EXPECT_EQ(log.counts.at("laser_pose_mismatches"), 0);
+  const Log log = Read(ahead + "PARAM robot_frontlaser_offset 0.1 nohost 0\n" + ahead);
+  ASSERT_EQ(log.scans.size(), 2u);
+  ASSERT_TRUE(log.scans[0].told_robot_T_laser);
+  ExpectNear(*log.scans[0].told_robot_T_laser, {0.25, 0, 0});
+  EXPECT_FALSE(log.scans[0].mounting_is_known);
+  EXPECT_TRUE(log.scans[1].mounting_is_known);
+  LogOptions options;
+  options.robot_T_laser = backend::SE2{};
+  EXPECT_TRUE(Read(ahead, options).scans.at(0).mounting_is_known);
+}
+
+TEST(CarmenReader, AByteOrderMarkDoesNotCostTheFirstRecord) {
+  const Log log = Read("\xef\xbb\xbf" + kFlaser + kFlaser);
+  EXPECT_EQ(log.scans.size(), 2u);
+  EXPECT_EQ(log.counts.at("unknown_records"), 0);
+}
+
+TEST(CarmenReader, AFieldOfViewThatOnlyTheTableTellsIsCounted) {
+  EXPECT_EQ(Read(kFlaser + kFlaser).counts.at("assumed_field_of_view"), 2);
+  LogOptions options;
+  options.fov_rad = 2.0;
+  EXPECT_EQ(Read(kFlaser, options).counts.at("assumed_field_of_view"), 0);
 }
 
 TEST(CarmenReader, RobotLaserBringsItsAnglesMaximumRangeAndMounting) {

@@ -54,6 +54,19 @@ TEST(LogValidator, CountsEachFindingAndDeliversEveryScanUnderSkip) {
   }
 }
 
+TEST(LogValidator, CountsBeamsByStatus) {
+  ScanRecord record = ScanWithOdometry(1, {1.0, 2.0, 40.0, 0.0, 0.0, 0.0});
+  record.scan.beams[2].status = BeamStatus::kNoReturn;
+  for (int i = 3; i < 6; ++i) record.scan.beams[i].status = BeamStatus::kInvalid;
+  LogValidator validator = Validator({record, ScanWithOdometry(2)}, {});
+  while (validator.Next()) {
+  }
+  const LogCounts counts = validator.counts();
+  EXPECT_EQ(counts.at("beams_hit"), 3);
+  EXPECT_EQ(counts.at("beams_no_return"), 1);
+  EXPECT_EQ(counts.at("beams_invalid"), 3);
+}
+
 TEST(LogValidator, NamesTheLineOfTheFirstFindingUnderFail) {
   LogOptions options;
   options.bad_record = BadRecordPolicy::kFail;

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 
 namespace gmapping_spa::sensor {
 namespace {
@@ -84,6 +86,17 @@ TEST_F(OdometryCheckTest, JitterOfStampsMakesNoStepImpossible) {
   }
 }
 
+TEST_F(OdometryCheckTest, ABunchOfScansThatWereWaitingMakesNoStepImpossible) {
+  // Five scans a second at 1 m/s; then many that waited come at once, the last two in wrong order.
+  double stamp_s = 0.0, x = 10.0;
+  for (int i = 0; i < 50; ++i) Advance(stamp_s += 0.2, {x += 0.2, 0, 0});
+  stamp_s += 4.0;
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(FaultOf(stamp_s += 0.002, {x += 0.2, 0, 0}), OdometryFault::kNone) << i;
+  }
+  EXPECT_EQ(FaultOf(stamp_s += 0.002, {x - 0.8, 0, 0}), OdometryFault::kNone);
+}
+
 TEST_F(OdometryCheckTest, ReadingsThatAreNotFiniteSayNothingAboutEitherNeighbor) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Advance(0.0, {nan, 0, 0});
@@ -143,6 +156,15 @@ TEST_F(OdometryCheckTest, WithoutOdometryAtEitherEndNothingIsKnown) {
   ExpectNothingKnown(check_.Advance(scan), OdometryFault::kMissing);
   ExpectNothingKnown(Advance(0.4, {10, 0, 0}), OdometryFault::kMissing);
   EXPECT_EQ(FaultOf(0.6, {10.1, 0, 0}), OdometryFault::kNone);
+}
+
+TEST(OdometryFaultName, EachHasItsOwn) {
+  std::set<std::string> names;
+  for (int fault = 0; fault <= static_cast<int>(OdometryFault::kMissing); ++fault) {
+    names.insert(OdometryFaultName(static_cast<OdometryFault>(fault)));
+  }
+  EXPECT_EQ(names.size(), 7u);
+  EXPECT_FALSE(names.contains("unknown"));
 }
 
 }  // namespace

@@ -1,0 +1,61 @@
+// Says what a sensor log holds, before anybody makes a map of it.
+#include <gflags/gflags.h>
+
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "experiments/apps/app.h"
+#include "experiments/apps/input_file.h"
+#include "experiments/apps/inspection_picture.h"
+#include "experiments/apps/inspection_report.h"
+#include "experiments/apps/inspection_text.h"
+#include "experiments/apps/log_flags.h"
+#include "experiments/apps/log_inspection.h"
+#include "experiments/apps/output_files.h"
+#include "frontend/sensor/open_log.h"
+
+DEFINE_string(log, "", "Sensor log (CARMEN), plain or gzipped.");
+DEFINE_string(output_dir, "",
+              "Folder for the picture inspect.png, made if needed; none: no picture.");
+DEFINE_bool(json, false, "Print JSON instead of text.");
+
+namespace gmapping_spa::apps {
+namespace {
+
+void Run() {
+  if (FLAGS_log.empty()) throw std::runtime_error("--log=FILE is missing");
+  const sensor::LogOptions options = LogOptionsFromFlags();
+  std::optional<OutputFiles> files;
+  if (!FLAGS_output_dir.empty()) files.emplace(FLAGS_output_dir);
+  const std::unique_ptr<sensor::LogReader> reader =
+      sensor::OpenCarmenLog(OpenInput(FLAGS_log), FLAGS_log, options);
+  LogInspector inspector(sensor::OdometryCheck::Options{});
+  while (const std::optional<sensor::LaserScan> scan = reader->Next()) {
+    ThrowIfInterrupted();
+    inspector.Add(*scan);
+  }
+  const Json report = InspectionReport(inspector.summary(), reader->counts(), options);
+  if (files) {
+    WriteInspectionPicture(inspector.summary(), files->TemporaryPath("inspect.png"));
+    files->Commit();
+  }
+  if (FLAGS_json) {
+    std::cout << report.dump(2) << '\n';
+  } else {
+    PrintInspection(FLAGS_log, report, std::cout);
+  }
+}
+
+}  // namespace
+}  // namespace gmapping_spa::apps
+
+int main(int argc, char** argv) {
+  return gmapping_spa::apps::RunApp(
+      argc, argv,
+      "says what a sensor log holds, what would be assumed about it, and what to look out for.\n"
+      "Usage: inspect_log --log=FILE [--output_dir=DIR] [--json]\n"
+      "The picture inspect.png shows the odometry's way with some scans, the ranges and the steps.",
+      gmapping_spa::apps::Run);
+}

@@ -1,0 +1,29 @@
+// Trajectories from files, with errors that name the files.
+#ifndef GMAPPING_SPA_EXPERIMENTS_APPS_TRAJECTORY_FILES_H_
+#define GMAPPING_SPA_EXPERIMENTS_APPS_TRAJECTORY_FILES_H_
+
+#include <string>
+#include <vector>
+
+#include "backend/trajectory_io.h"
+#include "experiments/metrics/association.h"
+
+namespace gmapping_spa::apps {
+
+struct TrajectoryFile {
+  std::string path;
+  backend::Trajectory poses;
+};
+
+// Reads a file of the TUM format, plain or gzipped. Throws std::runtime_error with one line when it
+// cannot be read or holds no poses.
+TrajectoryFile ReadTrajectoryFile(const std::string& path);
+
+// Pairs of poses whose stamps differ by max_gap_s at most. Throws std::runtime_error with one line,
+// which tells the stamps of both files, when there is none.
+std::vector<metrics::PosePair> AssociateFiles(const TrajectoryFile& truth,
+                                              const TrajectoryFile& estimate, double max_gap_s);
+
+}  // namespace gmapping_spa::apps
+
+#endif  // GMAPPING_SPA_EXPERIMENTS_APPS_TRAJECTORY_FILES_H_

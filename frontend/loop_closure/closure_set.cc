@@ -1,0 +1,100 @@
+#include "frontend/loop_closure/closure_set.h"
+
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "frontend/loop_closure/consistent_set.h"
+
+namespace gmapping_spa::loop_closure {
+
+using backend::SE2;
+
+namespace {
+
+double WayBetween(const DrivenPath& path, int a, int b) {
+  return std::abs(path.ways_driven_m[a] - path.ways_driven_m[b]);
+}
+
+// Around the loop through both: a's old node -> a's node -> b's node -> b's old node -> a's.
+bool AreConsistent(const DriftModel& drift, double sigmas, const DrivenPath& path,
+                   const ClosureRecord& a, const ClosureRecord& b) {
+  const SE2 around = a.old_T_node *
+                     Between(path.world_T_nodes[a.node], path.world_T_nodes[b.node]) *
+                     Inverse(b.old_T_node) *
+                     Between(path.world_T_nodes[b.old_node], path.world_T_nodes[a.old_node]);
+  const double way_m = WayBetween(path, a.node, b.node) + WayBetween(path, a.old_node, b.old_node);
+  return drift.SquaredDistance(around, way_m) <= sigmas * sigmas;
+}
+
+// At most so many, spread evenly.
+std::vector<std::size_t> Thinned(const std::vector<std::size_t>& members) {
+  const std::size_t count = std::min<std::size_t>(members.size(), kMaxConsistentSet);
+  std::vector<std::size_t> thinned;
+  for (std::size_t k = 0; k < count; ++k) thinned.push_back(members[k * members.size() / count]);
+  return thinned;
+}
+
+}  // namespace
+
+double SpanOf(const DrivenPath& path, const std::vector<ClosureRecord>& records,
+              const std::vector<std::size_t>& members) {
+  if (members.empty()) return 0.0;
+  const auto [first, last] = std::minmax_element(
+      members.begin(), members.end(),
+      [&](std::size_t a, std::size_t b) { return records[a].node < records[b].node; });
+  return WayBetween(path, records[*first].node, records[*last].node);
+}
+
+std::vector<std::size_t> ProvenMembers(const ProofOptions& options, const DriftModel& drift,
+                                       const DrivenPath& path,
+                                       const std::vector<ClosureRecord>& records,
+                                       const ClosureSet& set) {
+  if (static_cast<int>(set.members.size()) < options.min_members) return {};
+  const std::vector<std::size_t> all = Thinned(set.members);
+  std::vector<std::size_t> members;
+  for (const int k : LargestConsistentSet(static_cast<int>(all.size()), [&](int a, int b) {
+         return AreConsistent(drift, options.consistent_sigmas, path, records[all[a]],
+                              records[all[b]]);
+       })) {
+    members.push_back(all[k]);
+  }
+  const auto count = static_cast<int>(members.size());
+  if (count < options.min_members) return {};
+  if (count < options.min_per_contradiction * set.contradictions) return {};
+  double gate = std::numeric_limits<double>::infinity();
+  for (const std::size_t member : members) gate = std::min(gate, records[member].gate);
+  const double min_span_m = options.min_span_m * std::sqrt(std::max(gate / options.max_gate, 1.0));
+  return SpanOf(path, records, members) >= min_span_m ? members : std::vector<std::size_t>();
+}
+
+const ClosureRecord& NearestMember(const DrivenPath& path,
+                                   const std::vector<ClosureRecord>& records, const ClosureSet& set,
+                                   int node) {
+  CHECK(!set.members.empty());
+  return records[*std::min_element(
+      set.members.begin(), set.members.end(), [&](std::size_t a, std::size_t b) {
+        return WayBetween(path, records[a].node, node) < WayBetween(path, records[b].node, node);
+      })];
+}
+
+SE2 PredictedPose(const DrivenPath& path, const ClosureRecord& member, int node) {
+  return path.world_T_nodes[member.old_node] * member.old_T_node *
+         Between(path.world_T_nodes[member.node], path.world_T_nodes[node]);
+}
+
+bool Contradict(const ProofOptions& options, const DrivenPath& path,
+                const std::vector<ClosureRecord>& records, const ClosureSet& set,
+                const ClosureSet& rival) {
+  return std::any_of(set.members.begin(), set.members.end(), [&](std::size_t member) {
+    const int node = records[member].node;
+    if (node < rival.first_node || node > rival.last_node) return false;
+    const SE2 off = Between(PredictedPose(path, records[member], node),
+                            PredictedPose(path, NearestMember(path, records, rival, node), node));
+    return off.translation().norm() > options.rival_m || std::abs(off.theta) > options.rival_rad;
+  });
+}
+
+}  // namespace gmapping_spa::loop_closure

@@ -1,0 +1,72 @@
+// Closures that follow from one another along a stretch of driving, and whether to believe them.
+#ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_CLOSURE_SET_H_
+#define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_CLOSURE_SET_H_
+
+#include <cstddef>
+#include <vector>
+
+#include "backend/se2.h"
+#include "frontend/loop_closure/closure_record.h"
+#include "frontend/loop_closure/drift.h"
+
+namespace gmapping_spa::loop_closure {
+
+// The path so far, and how far it was driven up to each node.
+struct DrivenPath {
+  const std::vector<backend::SE2>& world_T_nodes;
+  const std::vector<double>& ways_driven_m;
+};
+
+// A hypothesis where the robot was: one closure found by the look of a place, and those that were
+// found from there on by following the path to both sides.
+struct ClosureSet {
+  std::vector<std::size_t> members;  // positions in the records
+  int contradictions = 0;            // looks at where it says the robot was, which did not fit
+  int first_node = 0;                // the path has been followed from here
+  int last_node = 0;                 // to here
+  bool is_accepted = false;
+};
+
+struct ProofOptions {
+  int min_members = 4;
+  // Of driving, from the first member to the last: so much where drift explains how far off the
+  // member is for which that is easiest. Grows in proportion to how far off it is in standard
+  // deviations beyond that: a corridor may look the same for 50 m, turned around.
+  double min_span_m = 12.0;
+  double max_gate = 13.8;            // up to which drift explains it
+  double min_per_contradiction = 3;  // members
+  double consistent_sigmas = 2.0;    // of the drift on the way, for two members to go together
+  // Another hypothesis of the same stretch that is more than this off, and proven by at least this
+  // part of the span, leaves the decision open.
+  double rival_m = 1.0;
+  double rival_rad = 0.15;
+  double rival_span = 0.5;
+};
+
+// The members out of the largest pairwise consistent subset; empty when they prove nothing: too few
+// of them, over too little driving for how far off they are, or too many contradictions.
+std::vector<std::size_t> ProvenMembers(const ProofOptions& options, const DriftModel& drift,
+                                       const DrivenPath& path,
+                                       const std::vector<ClosureRecord>& records,
+                                       const ClosureSet& set);
+
+// Whether the set says that the robot was elsewhere than what `rival` says of the same stretch.
+bool Contradict(const ProofOptions& options, const DrivenPath& path,
+                const std::vector<ClosureRecord>& records, const ClosureSet& set,
+                const ClosureSet& rival);
+
+// Driving from the first member to the last.
+double SpanOf(const DrivenPath& path, const std::vector<ClosureRecord>& records,
+              const std::vector<std::size_t>& members);
+
+// The member whose node is nearest to `node` by driving.
+const ClosureRecord& NearestMember(const DrivenPath& path,
+                                   const std::vector<ClosureRecord>& records, const ClosureSet& set,
+                                   int node);
+
+// world_T_node as it would be in the part of the map that the nearest member leads to.
+backend::SE2 PredictedPose(const DrivenPath& path, const ClosureRecord& member, int node);
+
+}  // namespace gmapping_spa::loop_closure
+
+#endif  // GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_CLOSURE_SET_H_

@@ -1,0 +1,104 @@
+#include "frontend/loop_closure/closure_set.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace gmapping_spa::loop_closure {
+namespace {
+
+using backend::SE2;
+
+// A robot that drives 200 m straight on, a node every metre; it believes to be elsewhere than where
+// it was when closures say that node 100 + k is at node k.
+class ClosureSets : public testing::Test {
+ protected:
+  ClosureSets() {
+    for (int k = 0; k <= 200; ++k) {
+      poses_.push_back({1.0 * k, 0.0, 0.0});
+      ways_m_.push_back(k);
+    }
+  }
+
+  // Closures every 2 m, `off_m` beside the old node, with that gate.
+  ClosureSet Closures(int count, double gate, double off_m = 0.0) {
+    ClosureSet set;
+    for (int k = 0; k < count; ++k) {
+      ClosureRecord record;
+      record.old_node = 10 + 2 * k;
+      record.node = 110 + 2 * k;
+      record.old_T_node = {0.0, off_m, 0.0};
+      record.gate = gate;
+      records_.push_back(record);
+      set.members.push_back(records_.size() - 1);
+    }
+    set.first_node = 110;
+    set.last_node = 110 + 2 * (count - 1);
+    return set;
+  }
+
+  std::size_t Proven(const ClosureSet& set) const {
+    return ProvenMembers(options_, {}, path_, records_, set).size();
+  }
+
+  std::vector<SE2> poses_;
+  std::vector<double> ways_m_;
+  std::vector<ClosureRecord> records_;
+  DrivenPath path_{poses_, ways_m_};
+  ProofOptions options_{
+      .min_members = 4, .min_span_m = 12.0, .max_gate = 10.0, .min_per_contradiction = 3};
+};
+
+TEST_F(ClosureSets, AreProvenByEnoughMembersOverEnoughDriving) {
+  EXPECT_EQ(Proven(Closures(7, 5.0)), 7u);  // 12 m
+  EXPECT_EQ(Proven(Closures(6, 5.0)), 0u);
+  options_.min_members = 8;
+  EXPECT_EQ(Proven(Closures(7, 5.0)), 0u);
+}
+
+TEST_F(ClosureSets, NeedMoreDrivingTheFartherOffTheyAre) {
+  EXPECT_EQ(Proven(Closures(12, 40.0)), 0u);  // 22 m of 24 m
+  EXPECT_EQ(Proven(Closures(13, 40.0)), 13u);
+  EXPECT_EQ(Proven(Closures(13, 1000.0)), 0u);
+}
+
+TEST_F(ClosureSets, FallWithTheirContradictions) {
+  ClosureSet set = Closures(9, 5.0);
+  set.contradictions = 3;
+  EXPECT_EQ(Proven(set), 9u);
+  set.contradictions = 4;
+  EXPECT_EQ(Proven(set), 0u);
+}
+
+TEST_F(ClosureSets, LeaveOutMembersThatDoNotGoWithTheOthers) {
+  const ClosureSet set = Closures(9, 5.0);
+  records_[set.members[4]].old_T_node = {3.0, 1.0, 0.8};
+  const std::vector<std::size_t> proven = ProvenMembers(options_, {}, path_, records_, set);
+  EXPECT_EQ(proven.size(), 8u);
+  for (const std::size_t member : proven) EXPECT_NE(member, set.members[4]);
+}
+
+TEST_F(ClosureSets, ContradictOthersOfTheSameStretchOnly) {
+  const ClosureSet set = Closures(7, 5.0), same = Closures(7, 5.0, 0.2);
+  EXPECT_FALSE(Contradict(options_, path_, records_, set, same));
+  ClosureSet other = Closures(7, 5.0, 4.0);
+  EXPECT_TRUE(Contradict(options_, path_, records_, set, other));
+  EXPECT_TRUE(Contradict(options_, path_, records_, other, set));
+  other.first_node = 150;
+  other.last_node = 170;
+  EXPECT_FALSE(Contradict(options_, path_, records_, set, other));
+}
+
+TEST_F(ClosureSets, PredictWhereANodeWouldBe) {
+  const ClosureSet set = Closures(7, 5.0, 0.5);
+  const ClosureRecord& nearest = NearestMember(path_, records_, set, 115);
+  EXPECT_EQ(nearest.node, 114);
+  const SE2 predicted = PredictedPose(path_, nearest, 115);
+  EXPECT_NEAR(predicted.x, 15.0, 1e-9);
+  EXPECT_NEAR(predicted.y, 0.5, 1e-9);
+  EXPECT_EQ(SpanOf(path_, records_, set.members), 12.0);
+  EXPECT_EQ(SpanOf(path_, records_, {}), 0.0);
+}
+
+}  // namespace
+}  // namespace gmapping_spa::loop_closure

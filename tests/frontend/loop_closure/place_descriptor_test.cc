@@ -1,0 +1,56 @@
+#include "frontend/loop_closure/place_descriptor.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <vector>
+
+#include "backend/se2.h"
+#include "tests/frontend/loop_closure/loop_world.h"
+
+namespace gmapping_spa::loop_closure {
+namespace {
+
+using backend::SE2;
+
+// What a laser that looks all round sees on the Ring, in its frame.
+std::vector<Eigen::Vector2d> SeenAt(double way_m, double turn_rad) {
+  const sensor::LaserScan scan =
+      synthetic::Scan(synthetic::Ring(), synthetic::OnRing(way_m) * SE2{0, 0, turn_rad},
+                      {.beams = 721, .field_of_view_rad = 2.0 * std::numbers::pi});
+  std::vector<Eigen::Vector2d> points;
+  for (const sensor::Beam& beam : scan.beams) {
+    points.emplace_back(beam.range_m * std::cos(beam.angle_rad),
+                        beam.range_m * std::sin(beam.angle_rad));
+  }
+  return points;
+}
+
+TEST(DescribePlace, DoesNotDependOnTheHeading) {
+  const PlaceDescriptor place = DescribePlace(SeenAt(5.0, 0.0));
+  EXPECT_NEAR(place.norm(), 1.0, 1e-5);
+  for (const double turn_rad : {0.3, 1.5, 3.1}) {
+    EXPECT_LT(Dissimilarity(place, DescribePlace(SeenAt(5.0, turn_rad))), 0.02) << turn_rad;
+  }
+}
+
+TEST(DescribePlace, TellsPlacesApart) {
+  const PlaceDescriptor place = DescribePlace(SeenAt(2.0, 0.0));
+  const double same = Dissimilarity(place, DescribePlace(SeenAt(2.3, 2.0)));
+  for (const double way_m : {8.0, 15.0, 21.0, 32.0}) {
+    EXPECT_GT(Dissimilarity(place, DescribePlace(SeenAt(way_m, 0.0))), 1.5 * same) << way_m;
+  }
+}
+
+TEST(DescribePlace, LeavesOutWhatIsFarAway) {
+  EXPECT_EQ(DescribePlace({{kDescribedRadius_m, 0.0}, {0.0, -100.0}}).norm(), 0.0);
+}
+
+TEST(DescribePlace, OfNothingIsZeroAndLikeNothing) {
+  const PlaceDescriptor nothing = DescribePlace({});
+  EXPECT_EQ(nothing.norm(), 0.0);
+  EXPECT_EQ(Dissimilarity(nothing, DescribePlace({{1.0, 2.0}})), 1.0);
+}
+
+}  // namespace
+}  // namespace gmapping_spa::loop_closure
