@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace gmapping_spa::frontend {
 namespace {
@@ -13,10 +14,10 @@ using backend::SE2;
 constexpr MotionPrior::Options kOptions{.max_speed_m_s = 2.0, .max_turn_rad_s = 3.0};
 
 MotionPrior Prior(const SE2& wheels, const SE2& same_velocity, double duration_s) {
-  return {kOptions, wheels, true, same_velocity, duration_s};
+  return {kOptions, WheelMotion{wheels}, same_velocity, duration_s};
 }
 MotionPrior PriorWithoutWheels(const SE2& same_velocity, double duration_s) {
-  return {kOptions, {}, false, same_velocity, duration_s};
+  return {kOptions, std::nullopt, same_velocity, duration_s};
 }
 
 TEST(MotionPrior, HoldsTheWheelsBeforeGoingOnAsBefore) {
@@ -45,6 +46,16 @@ TEST(MotionPrior, WheelsAreLessSureOfLongerSteps) {
   EXPECT_DOUBLE_EQ(wheels({0.3, 0.4, 0}).sigma_m, kOptions.floor_m + 0.5 * kOptions.m_per_m);
   EXPECT_DOUBLE_EQ(wheels({0.3, -0.4, -0.2}).sigma_rad,
                    kOptions.floor_rad + 0.5 * kOptions.rad_per_m + 0.2 * kOptions.rad_per_rad);
+}
+
+TEST(MotionPrior, WheelsOfBadReputationAreLessSureAndLessLikely) {
+  const SE2 step{0.3, 0.4, 0.1};
+  const MotionPrior usual = Prior(step, {}, 0.1);
+  const MotionPrior bad(kOptions, WheelMotion{step, 3.0, 0.25}, {}, 0.1);
+  EXPECT_DOUBLE_EQ(bad.hypotheses()[0].sigma_m, 3.0 * usual.hypotheses()[0].sigma_m);
+  EXPECT_DOUBLE_EQ(bad.hypotheses()[0].sigma_rad, 3.0 * usual.hypotheses()[0].sigma_rad);
+  EXPECT_DOUBLE_EQ(bad.hypotheses()[0].weight, 0.75);
+  EXPECT_DOUBLE_EQ(bad.hypotheses()[1].weight, 0.25);
 }
 
 TEST(MotionPrior, VelocityChangesWithTheSquareOfTheTime) {

@@ -136,7 +136,7 @@ TEST(ScanOdometry, PlacesThatFitAlikeComeBackAsAlternatives) {
   EXPECT_TRUE(motion.searched);
   ASSERT_GE(motion.alternatives.size(), 2u);
   double sum = 0.0, forward = 0.0, backward = 0.0;
-  for (const ScanMotion::Alternative& alternative : motion.alternatives) {
+  for (const auto& alternative : motion.alternatives) {
     sum += alternative.probability;
     const double x = alternative.motion.x;
     if (std::abs(x - 0.25) < 0.05) forward = alternative.probability;
