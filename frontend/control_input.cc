@@ -62,6 +62,10 @@ void ControlInput::ReportMatch(const ScanMotion& motion, const OdometryCheck::St
     health_->Report("odometry_silent", stamp_s,
                     "the odometry stands still while the scans show motion; it is not believed");
   }
+  if (motion.wheels_late) {
+    health_->Report("odometry_late", stamp_s,
+                    "the odometry tells motions later than the scans; it is used with its delay");
+  }
   if (motion.wheels_rejected && wheels.fault == OdometryFault::kNone) {
     health_->Report("odometry_contradicted", stamp_s,
                     "the scan contradicts the odometry by more than it is trusted");

@@ -21,8 +21,7 @@ constexpr double kMinUsualFit = 0.3;
 constexpr double kMinDuration_s = 0.02;
 constexpr double kMaxDuration_s = 1.0;
 constexpr double kMaxRatio = 2.0;  // of the times of two scans in succession
-constexpr double kVelocityGain = 0.7;
-constexpr double kSlowDown = 0.8;  // of a robot whose scans do not fit
+constexpr double kMaxChange = 3.0;  // of the motion from scan to scan, in standard deviations
 
 // Squared standard deviations by which a motion may differ from a guess that it agrees with.
 constexpr double kAgrees = 9.0;
@@ -49,11 +48,6 @@ struct Window {
   double linear_m, angular_rad;
 };
 constexpr Window kWindows[] = {{0.3, 0.4}, {0.75, 1.2}, {1.5, 3.14159}};
-
-constexpr int kSilentScans = 3;
-constexpr double kMinWheelsWrong = 0.01;
-constexpr double kMaxWheelsWrong = 0.5;
-constexpr double kMaxWheelError = 100.0;
 
 // More than what scan matching is off by.
 bool Moves(const SE2& motion) {
@@ -93,7 +87,8 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
   }
 
   points_ = scan_matching::MakeScanPoints(scan);
-  const MotionPrior prior = MakePrior(wheels, duration_s);
+  const std::optional<WheelMotion> guess = wheel_trust_.Guess(wheels);
+  const MotionPrior prior = MakePrior(guess, duration_s);
   std::vector<Match> matches = {
       Track(before * prior.hypotheses().front().motion, prior.hypotheses().front())};
   if (!prior.GuessesAgree() || !IsConvincing(matches.front(), prior)) {
@@ -104,20 +99,30 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
     for (const Window& window : kWindows) {
       if (IsConvincing(matches.front(), prior)) break;
       result.searched = true;
-      for (const Match& match : Search(prior, window.linear_m, window.angular_rad)) {
-        matches.push_back(match);
+      // The robot may go on as before, or have been stopped or turned.
+      for (const SE2& motion : {prior.hypotheses().back().motion, SE2{}}) {
+        for (const Match& match :
+             Search(before * motion, {std::min(window.linear_m, prior.reach_m()),
+                                      std::min(window.angular_rad, prior.reach_rad())})) {
+          matches.push_back(match);
+        }
       }
       Rank(prior, &matches);
     }
   }
   const Match& best = matches.front();
-  Learn(best, prior, wheels, duration_s);
+  Learn(best, duration_s);
   odom_T_robot_ = best.odom_T_robot;
   result.motion = Between(before, odom_T_robot_);
   result.wheels_rejected =
       prior.hypotheses().front().SquaredDistance(result.motion) > kAgrees;
-  result.wheels_silent = wheels.fault == OdometryFault::kUnchanged &&
-                         prior.hypotheses().size() == 1 && Moves(result.motion);
+  if (guess) {
+    wheel_trust_.Learn(result.motion, prior.hypotheses().front());
+  } else {
+    wheel_trust_.Learn(result.motion);
+  }
+  result.wheels_silent = wheel_trust_.silent() && Moves(result.motion);
+  result.wheels_late = guess && wheel_trust_.late();
   const double fit_nats = Nats(best, best.evidence.unknown);
   result.matched = fit_nats > -kGarbage_nats;
   double sum = 0.0;
@@ -147,20 +152,10 @@ double ScanOdometry::DurationRatio(double duration_s) const {
   return std::clamp(duration_s / usual_duration_s_, 1.0 / kMaxRatio, kMaxRatio);
 }
 
-MotionPrior ScanOdometry::MakePrior(const sensor::OdometryCheck::Step& wheels,
+MotionPrior ScanOdometry::MakePrior(const std::optional<WheelMotion>& wheels,
                                     double duration_s) const {
-  // Wheels that have never moved may not be there at all.
-  const bool silent = wheels.fault == OdometryFault::kUnchanged &&
-                      (silent_scans_ >= kSilentScans || !wheels_ever_moved_);
-  const bool trust = !silent && (wheels.fault == OdometryFault::kNone ||
-                                 wheels.fault == OdometryFault::kUnchanged);
-  const SE2 going_on = backend::Exp(DurationRatio(duration_s) * usual_motion_);
-  std::optional<WheelMotion> guess;
-  if (trust) {
-    guess = {wheels.motion, std::sqrt(std::max(wheel_error_, 1.0)),
-             std::clamp(wheels_wrong_, kMinWheelsWrong, kMaxWheelsWrong)};
-  }
-  return {options_.prior, guess, going_on, std::max(duration_s, usual_duration_s_)};
+  return {options_.prior, wheels, backend::Exp(DurationRatio(duration_s) * usual_motion_),
+          std::max(duration_s, usual_duration_s_)};
 }
 
 // Fuses the scan with the guess.
@@ -174,10 +169,9 @@ ScanOdometry::Match ScanOdometry::Track(const SE2& initial,
   return match;
 }
 
-// The best and the second best match of a window around where the robot would be at the same
-// velocity.
-std::vector<ScanOdometry::Match> ScanOdometry::Search(const MotionPrior& prior, double window_m,
-                                                      double window_rad) {
+// The best and the second best match of a window.
+std::vector<ScanOdometry::Match> ScanOdometry::Search(const SE2& centre,
+                                                      const scan_matching::SearchWindow& window) {
   std::vector<Eigen::Vector2d> positions;
   double reach_m = 1.0;
   for (const scan_matching::ScanPoint& point : points_) {
@@ -189,11 +183,8 @@ std::vector<ScanOdometry::Match> ScanOdometry::Search(const MotionPrior& prior, 
   search.second_floor = 0.8;
   search.peak_separation_m = 0.2;
   search.with_covariance = false;
-  const SE2 centre = odom_T_robot_ * prior.hypotheses().back().motion;
   const CorrelativeMatch found =
-      map_.Search(search, odom_T_robot_, reach_m + 1.5)
-          .Match(positions, centre,
-                 {std::min(window_m, prior.reach_m()), std::min(window_rad, prior.reach_rad())});
+      map_.Search(search, odom_T_robot_, reach_m + 1.5).Match(positions, centre, window);
   std::vector<Match> matches;
   if (!found.found) return matches;
   const MotionHypothesis weak{.motion = {}, .sigma_m = 0.1, .sigma_rad = 0.1};
@@ -246,30 +237,21 @@ void ScanOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) c
   *matches = std::move(different);
 }
 
-void ScanOdometry::Learn(const Match& match, const MotionPrior& prior,
-                         const sensor::OdometryCheck::Step& wheels, double duration_s) {
+void ScanOdometry::Learn(const Match& match, double duration_s) {
   if (match.evidence.known() > 0.0) {
     usual_fit_ += kForgetting * (match.evidence.Fit() - usual_fit_);
     usual_fit_ = std::max(usual_fit_, kMinUsualFit);
   }
-  const SE2 motion = Between(odom_T_robot_, match.odom_T_robot);
-  const double scale = Nats(match, match.evidence.unknown) > -kGarbage_nats ? 1.0 : kSlowDown;
-  usual_motion_ += kVelocityGain * (scale * backend::Log(motion) / DurationRatio(duration_s) -
-                                    usual_motion_);
-  const MotionHypothesis& first = prior.hypotheses().front();
-  const bool agrees = first.SquaredDistance(motion) < kAgrees;
-  if (prior.hypotheses().size() > 1) {
-    // Three dimensions; what is no normal noise counts for the other mean.
-    const double error = std::max(wheel_error_, 1.0) * first.SquaredDistance(motion) / 3.0;
-    wheel_error_ += kForgetting * (std::min(error, kMaxWheelError) - wheel_error_);
-    wheels_wrong_ += kForgetting * ((agrees ? 0.0 : 1.0) - wheels_wrong_);
-  }
-  if (wheels.fault == OdometryFault::kNone) {
-    wheels_ever_moved_ = true;
-    silent_scans_ = 0;
-  } else if (wheels.fault == OdometryFault::kUnchanged && silent_scans_ < kSilentScans) {
-    silent_scans_ = agrees ? 0 : silent_scans_ + 1;
-  }
+  // Scans out of order or matched wrongly seem to jump; robots do not.
+  const Eigen::Vector3d motion =
+      backend::Log(Between(odom_T_robot_, match.odom_T_robot)) / DurationRatio(duration_s);
+  const double square_s2 = usual_duration_s_ * usual_duration_s_;
+  const double m = kMaxChange * (options_.prior.velocity_floor_m +
+                                 options_.prior.acceleration_m_s2 * square_s2);
+  const double rad = kMaxChange * (options_.prior.velocity_floor_rad +
+                                   options_.prior.angular_acceleration_rad_s2 * square_s2);
+  const Eigen::Array3d limit(m, m, rad);
+  usual_motion_ += (motion - usual_motion_).array().max(-limit).min(limit).matrix();
 }
 
 }  // namespace gmapping_spa::frontend

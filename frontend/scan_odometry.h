@@ -3,6 +3,7 @@
 #define GMAPPING_SPA_FRONTEND_SCAN_ODOMETRY_H_
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "backend/se2.h"
@@ -16,6 +17,7 @@
 #include "frontend/sensor/laser_scan.h"
 #include "frontend/sensor/odometry_check.h"
 #include "frontend/sliding_map.h"
+#include "frontend/wheel_trust.h"
 
 namespace gmapping_spa::frontend {
 
@@ -27,6 +29,7 @@ struct ScanMotion {
   bool searched = false;         // whether the guesses did not do and a window was searched
   bool wheels_rejected = false;  // whether the motion is not what the wheels say
   bool wheels_silent = false;    // whether the wheels stand still while the robot moves
+  bool wheels_late = false;      // whether the wheels tell motions later than the scans
   bool matched = true;           // whether the scan fits what was seen before
 };
 
@@ -63,14 +66,14 @@ class ScanOdometry {
   };
 
   double DurationRatio(double duration_s) const;
-  MotionPrior MakePrior(const sensor::OdometryCheck::Step& wheels, double duration_s) const;
+  MotionPrior MakePrior(const std::optional<WheelMotion>& wheels, double duration_s) const;
   Match Track(const backend::SE2& initial, const MotionHypothesis& hypothesis) const;
-  std::vector<Match> Search(const MotionPrior& prior, double window_m, double window_rad);
+  std::vector<Match> Search(const backend::SE2& centre,
+                            const scan_matching::SearchWindow& window);
   bool IsConvincing(const Match& match, const MotionPrior& prior) const;
   double Nats(const Match& match, double least_unknown) const;
   void Rank(const MotionPrior& prior, std::vector<Match>* matches) const;
-  void Learn(const Match& match, const MotionPrior& prior,
-             const sensor::OdometryCheck::Step& wheels, double duration_s);
+  void Learn(const Match& match, double duration_s);
 
   Options options_;
   scan_matching::GaussNewton matcher_;
@@ -82,12 +85,7 @@ class ScanOdometry {
   Eigen::Vector3d usual_motion_ = Eigen::Vector3d::Zero();  // a twist, running mean of few scans
   double usual_duration_s_ = 0.1;                           // running mean
   double usual_fit_ = 0.6;                              // running mean
-  // Running means of how the wheels do: squared error in units of the variance that is expected,
-  // and share of the scans that contradict them.
-  double wheel_error_ = 1.0;
-  double wheels_wrong_ = 0.01;
-  bool wheels_ever_moved_ = false;
-  int silent_scans_ = 0;  // in a row, that moved while the wheels stood still
+  WheelTrust wheel_trust_;
 };
 
 }  // namespace gmapping_spa::frontend

@@ -22,7 +22,7 @@ namespace {
 constexpr float kSingleHit = 1e-4f;  // in squared cells, beyond rounding
 
 // A direction bound by less than this many times what noise feigns is not bound.
-const double kFeigned = getenv("FEI") ? atof(getenv("FEI")) : 2.0;
+constexpr double kFeigned = 2.0;
 // Variance of the normal of a few hit means, rad^2.
 constexpr double kMapNormalVariance = 0.01;
 

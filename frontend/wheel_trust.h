@@ -1,0 +1,51 @@
+// How far the wheels are to be believed, learned from how well they predict the scans.
+#ifndef GMAPPING_SPA_FRONTEND_WHEEL_TRUST_H_
+#define GMAPPING_SPA_FRONTEND_WHEEL_TRUST_H_
+
+#include <optional>
+
+#include "backend/se2.h"
+#include "frontend/motion_prior.h"
+#include "frontend/sensor/odometry_check.h"
+
+namespace gmapping_spa::frontend {
+
+// Call Guess and Learn once a scan, in turn.
+class WheelTrust {
+ public:
+  // What the wheels say about the motion since the scan before. Nothing where they are faulty,
+  // missing, or silent: they have never moved, or stand still while scans show motion.
+  std::optional<WheelMotion> Guess(const sensor::OdometryCheck::Step& wheels);
+
+  // `motion`: what it was, after all. `guess`: the hypothesis made of Guess.
+  void Learn(const backend::SE2& motion, const MotionHypothesis& guess);
+  // The same where Guess had nothing to say.
+  void Learn(const backend::SE2& motion);
+
+  // Whether readings come later than the scans that they belong to.
+  bool late() const { return late_error_ < kLateBelow * step_error_; }
+  bool silent() const { return silent_; }
+
+ private:
+  static constexpr double kLateBelow = 0.5;
+
+  backend::SE2 Owed() const { return owed_ * step_; }
+
+  backend::SE2 step_;  // of the wheels at this scan
+  bool unchanged_ = false;
+  bool ever_moved_ = false;
+  bool silent_ = false;
+  int contradicted_while_unchanged_ = 0;  // scans in a row
+  // What the wheels have reported on the last scans and the robot has not done, or the other way
+  // round: of wheels whose readings come late, it is what they still owe.
+  backend::SE2 owed_;
+  // Running means of squared errors, in units of the variance expected of the wheels: of their
+  // steps, and of their steps with what is owed.
+  double step_error_ = 1.0;
+  double late_error_ = 1.0;
+  double wrong_ = 0.01;  // share of the scans that contradict the wheels
+};
+
+}  // namespace gmapping_spa::frontend
+
+#endif  // GMAPPING_SPA_FRONTEND_WHEEL_TRUST_H_
