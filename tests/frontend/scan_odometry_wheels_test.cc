@@ -121,6 +121,19 @@ TEST_F(ScanOdometryWithWheels, ThatSayNothingForFourScansAndThenAllAtOnceDoNoHar
   ExpectIsWhereItIs();
 }
 
+TEST_F(ScanOdometryWithWheels, ThatAreTwoScansLateDoNoHarm) {
+  // A robot that stops, turns and goes on again: only then does a delay matter.
+  const auto pose = [](int step) {
+    const double t = 0.1 * step;
+    return SE2{0.8 * std::sin(0.9 * t), 0.5 * std::sin(1.7 * t), 1.2 * std::sin(1.1 * t)};
+  };
+  const auto motion = [&](int step) {
+    return step <= 0 ? SE2{} : Between(pose(step - 1), pose(step));
+  };
+  for (int step = 0; step <= 200; ++step) drive_.To(pose(step), {motion(step - 2)});
+  ExpectIsWhereItIs();
+}
+
 TEST_F(ScanOdometryWithWheels, ARestartDoesNoHarm) {
   DriveUpTo(30);
   Step({{}, OdometryFault::kRestart});
