@@ -53,6 +53,7 @@ void NormalEquations::KeepWhatIsBound() {
   Eigen::Matrix3d project = Eigen::Matrix3d::Identity();
   project.topLeftCorner<2, 2>() -= (1.0 - kept) * weakest * weakest.transpose();
   hessian = project * hessian * project;
+  hessian.triangularView<Eigen::StrictlyUpper>() = hessian.transpose();
   gradient = project * gradient;
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -27,7 +28,8 @@ class PlainGmapping : public testing::Test {
     options.angular_update_rad = angular_update_rad;
     options.filter.particles = 3;
     options.filter.initial_guesses = 3;
-    options.scan_matched_odometry = false;
+    options.control.source = OdometrySource::kWheel;
+    options.control.check.max_speed_m_s = max_speed_m_s_;
     options.close_loops = false;
     options.make_final_round = false;
     gmapping_ = std::make_unique<ImprovedGmapping>(
@@ -63,6 +65,7 @@ class PlainGmapping : public testing::Test {
   }
 
   const SE2 odom_T_world_{30, -20, 2.0};
+  double max_speed_m_s_ = 10.0;
   std::int64_t next_index_ = 0;
   std::unique_ptr<ImprovedGmapping> gmapping_;
 };
@@ -129,6 +132,7 @@ TEST_F(PlainGmapping, InformationIsInTheFrameOfTheNodeTheEdgeStartsAt) {
   sensor::LaserScan scan;
   for (const SE2& pose : {SE2{0, 0, 0}, SE2{0.5, 0, 0.9}, SE2{0.5, 0, 0.9} * SE2{1, 0, 0}}) {
     scan.odom_T_robot = pose;
+    scan.stamp_s += 1.0;
     gmapping_->AddScan(scan);
   }
   const PoseGraph graph = gmapping_->CurrentEstimate().graph;
@@ -167,9 +171,25 @@ TEST_F(PlainGmapping, TrajectoryHasAPoseForEveryScanInTheFrameOfTheFirst) {
   EXPECT_GT(estimate.map.CountTiles(), 20u);
 }
 
-TEST_F(PlainGmapping, RefusesOdometryThatJumpsOffTheMap) {
+TEST_F(PlainGmapping, LeavesOutAStepThatNoRobotMakes) {
+  Start(0.5, 10.0);
+  for (int i = 0; i <= 10; ++i) Add({0.1 * i, 0, 0});
+  const SE2 before = gmapping_->CurrentEstimate().trajectory.back().world_T_robot;
+  const SE2 jump{2e4, 0, 0};
+  sensor::LaserScan scan = synthetic::Scan(synthetic::Room(), {1.0, 0, 0}, {.beams = 91});
+  scan.stamp_s = 1.1;
+  scan.odom_T_robot = odom_T_world_ * SE2{1.0, 0, 0} * jump;
+  gmapping_->AddScan(scan);
+  const Estimate estimate = gmapping_->Finish();
+  EXPECT_LT(Log(Between(before, estimate.trajectory.back().world_T_robot)).norm(), 0.05);
+  ASSERT_EQ(gmapping_->health().findings().count("odometry_impossible"), 1u);
+  EXPECT_EQ(gmapping_->health().findings().at("odometry_impossible").first_stamp_s, 1.1);
+}
+
+TEST_F(PlainGmapping, RefusesOdometryThatLeadsOffTheMap) {
   for (const SE2 jump : {SE2{2e4, 0, 0}, SE2{2e3, 2e3, 0}, SE2{-1e9, 0, 0}, SE2{0, 1e300, 0}}) {
     next_index_ = 0;
+    max_speed_m_s_ = std::numeric_limits<double>::infinity();
     Start(0.5, 10.0);
     Add({0, 0, 0});
     sensor::LaserScan scan = synthetic::Scan(synthetic::Room(), {});

@@ -2,116 +2,150 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <numbers>
-
-#include "tests/frontend/synthetic_room.h"
+#include "tests/frontend/scan_odometry_drive.h"
 
 namespace gmapping_spa::frontend {
 namespace {
 
 using backend::SE2;
+using sensor::BeamStatus;
+using sensor::OdometryFault;
 
-// Around the middle of the room, a round in 80 steps of about 0.1 m.
-SE2 OnRound(int step) {
-  const double around = 2.0 * std::numbers::pi * step / 80.0;
-  return {1.3 * std::cos(around), 1.3 * std::sin(around),
-          backend::WrapAngle(around + std::numbers::pi / 2)};
+TEST(ScanOdometry, TheFirstScanIsNoMotion) {
+  Drive drive(synthetic::Room());
+  const ScanMotion motion = drive.To({1, 0, 0.3}, {{1, 2, 3}});
+  EXPECT_TRUE((motion.motion == SE2{}));
+  EXPECT_TRUE(motion.alternatives.empty());
+  EXPECT_FALSE(motion.searched);
 }
 
-class ScanOdometryInARoom : public testing::Test {
- protected:
-  // The motion to the step, told by wheels that are off by `slip`.
-  SE2 DriveTo(int step, const SE2& slip = {}) {
-    const SE2 wheels = step == 0 ? SE2{} : Between(OnRound(step - 1), OnRound(step)) * slip;
-    const SE2 motion =
-        odometry_.Advance(synthetic::Scan(synthetic::Room(), OnRound(step), laser_), wheels);
-    estimate_ = estimate_ * motion;
-    return motion;
-  }
-
-  static void ExpectNear(const SE2& found, const SE2& expected, double m, double rad) {
-    const SE2 off = Between(expected, found);
-    EXPECT_LT(off.translation().norm(), m);
-    EXPECT_LT(std::abs(off.theta), rad);
-  }
-
-  ScanOdometry odometry_{{}};
-  synthetic::Laser laser_;
-  SE2 estimate_;  // in the frame of step 0
-};
-
-TEST_F(ScanOdometryInARoom, TheFirstScanIsNoMotion) {
-  const sensor::LaserScan scan = synthetic::Scan(synthetic::Room(), {});
-  EXPECT_TRUE((odometry_.Advance(scan, {1, 2, 3}) == SE2{}));
-}
-
-TEST_F(ScanOdometryInARoom, FindsTheMotionInSpiteOfWheelsThatSlip) {
+TEST(ScanOdometry, FindsTheMotionInSpiteOfWheelsThatSlip) {
   const SE2 slip{0.02, 0.005, 0.01};
-  SE2 wheels;
+  Drive drive(synthetic::Room());
+  SE2 wheels = OnRound(0);
   for (int step = 0; step <= 160; ++step) {
-    DriveTo(step, slip);
-    if (step > 0) wheels = wheels * Between(OnRound(step - 1), OnRound(step)) * slip;
+    drive.To(OnRound(step), {StepOfRound(step) * slip});
+    if (step > 0) wheels = wheels * StepOfRound(step) * slip;
   }
-  const SE2 truth = Between(OnRound(0), OnRound(160));
-  ASSERT_GT(Between(truth, wheels).translation().norm(), 0.5);
-  ExpectNear(estimate_, truth, 0.03, 0.01);
+  ASSERT_GT(Between(OnRound(160), wheels).translation().norm(), 0.5);
+  drive.ExpectIsWhereItIs(0.03, 0.01);
 }
 
-TEST_F(ScanOdometryInARoom, SearchesWhereTheWheelsHaveJumped) {
-  int step = 0;
-  for (; step < 40; ++step) DriveTo(step);
-  for (const SE2 jump : {SE2{0.25, 0, 0.3}, SE2{-0.2, 0.2, -0.3}, SE2{0, -0.25, 0.35}}) {
-    ExpectNear(DriveTo(step, jump), Between(OnRound(step - 1), OnRound(step)), 0.02, 0.01);
-    ++step;
-  }
-}
-
-TEST_F(ScanOdometryInARoom, BlindScansFollowTheWheels) {
-  for (int step = 0; step < 40; ++step) DriveTo(step);
-  for (const SE2 wheels : {SE2{0.1, 0, 0.05}, SE2{0.7, 0.1, -0.4}, SE2{}}) {
-    const SE2 motion = odometry_.Advance(sensor::LaserScan{}, wheels);
-    EXPECT_LT(Log(Between(wheels, motion)).norm(), 1e-9);
+TEST(ScanOdometry, SaysNothingWhereAllIsWell) {
+  Drive drive(synthetic::Room());
+  for (int step = 0; step <= 80; ++step) {
+    const ScanMotion motion = drive.To(OnRound(step));
+    EXPECT_TRUE(motion.matched) << step;
+    EXPECT_TRUE(motion.alternatives.empty()) << step;
+    EXPECT_FALSE(motion.wheels_rejected) << step;
+    EXPECT_FALSE(motion.wheels_silent) << step;
   }
 }
 
-TEST_F(ScanOdometryInARoom, GoesOnAfterBlindScans) {
-  for (int step = 0; step <= 40; ++step) DriveTo(step);
-  for (int step = 41; step <= 44; ++step) {
-    estimate_ = estimate_ *
-                odometry_.Advance(sensor::LaserScan{}, Between(OnRound(step - 1), OnRound(step)));
+TEST(ScanOdometry, HonoursThePlaceOfTheLaserOnTheRobot) {
+  Drive drive(synthetic::Room(), {.robot_T_laser = {0.4, -0.1, 0.3}});
+  for (int step = 0; step <= 80; ++step) {
+    drive.To(OnRound(step), {StepOfRound(step) * SE2{0.01, 0.005, 0.01}});
   }
-  for (int step = 45; step <= 80; ++step) DriveTo(step, {0.01, 0, 0.01});
-  ExpectNear(estimate_, Between(OnRound(0), OnRound(80)), 0.03, 0.01);
+  drive.ExpectIsWhereItIs(0.03, 0.01);
 }
 
-TEST_F(ScanOdometryInARoom, HonoursThePlaceOfTheLaserOnTheRobot) {
-  laser_.robot_T_laser = {0.4, -0.1, 0.3};
-  for (int step = 0; step <= 80; ++step) DriveTo(step, {0.01, 0.005, 0.01});
-  ExpectNear(estimate_, Between(OnRound(0), OnRound(80)), 0.03, 0.01);
-}
-
-TEST_F(ScanOdometryInARoom, ForgetsOldMapsWithoutAJump) {
+TEST(ScanOdometry, ForgetsOldMapsWithoutAJump) {
   ScanOdometry::Options options;
   options.map_scans = 4;  // a new map after every second scan entered
-  odometry_ = ScanOdometry(options);
+  Drive drive(synthetic::Room(), {}, options);
   for (int step = 0; step <= 160; ++step) {
-    const SE2 motion = DriveTo(step, {0.01, 0, 0.005});
-    if (step > 0) ExpectNear(motion, Between(OnRound(step - 1), OnRound(step)), 0.02, 0.01);
+    const ScanMotion motion = drive.To(OnRound(step), {StepOfRound(step) * SE2{0.01, 0, 0.005}});
+    ExpectNear(motion.motion, StepOfRound(step), 0.03, 0.02);
   }
 }
 
-TEST(ScanOdometry, TheWheelsSayHowFarItIsAlongACorridor) {
-  ScanOdometry odometry({});
-  SE2 estimate;
-  for (int step = 0; step <= 40; ++step) {
-    const SE2 pose{0.1 * step, 0, 0};
-    const SE2 wheels = step == 0 ? SE2{} : SE2{0.1, 0.002, 0.003};
-    estimate = estimate * odometry.Advance(synthetic::Scan(synthetic::Corridor(0.0), pose), wheels);
+TEST(ScanOdometry, ScansWithoutAHitFollowTheWheels) {
+  Drive drive(synthetic::Room());
+  for (int step = 0; step <= 40; ++step) drive.To(OnRound(step));
+  for (const SE2 wheels : {SE2{0.1, 0, 0.05}, SE2{0.3, 0.1, -0.2}, SE2{}}) {
+    const ScanMotion motion = drive.Take({}, drive.world_T_robot() * wheels, {wheels});
+    EXPECT_LT(Log(Between(wheels, motion.motion)).norm(), 1e-9);
   }
-  EXPECT_NEAR(estimate.x, 4.0, 0.12);
-  EXPECT_NEAR(estimate.y, 0.0, 0.02);
-  EXPECT_NEAR(estimate.theta, 0.0, 0.01);
+}
+
+TEST(ScanOdometry, ScansWithoutAHitAndWithoutWheelsGoOnAtTheSameVelocity) {
+  Drive drive(synthetic::Room());
+  for (int step = 0; step <= 40; ++step) drive.To(OnRound(step));
+  for (int step = 41; step <= 45; ++step) {
+    const ScanMotion motion = drive.Take({}, OnRound(step), {{}, OdometryFault::kMissing});
+    ExpectNear(motion.motion, StepOfRound(step), 0.02, 0.02);
+  }
+  for (int step = 46; step <= 80; ++step) drive.To(OnRound(step));
+  drive.ExpectIsWhereItIs(0.05, 0.02);
+}
+
+TEST(ScanOdometry, GoesOnAfterScansWithoutAHit) {
+  Drive drive(synthetic::Room());
+  for (int step = 0; step <= 40; ++step) drive.To(OnRound(step));
+  for (int step = 41; step <= 44; ++step) drive.Take({}, OnRound(step), {StepOfRound(step)});
+  for (int step = 45; step <= 80; ++step) {
+    drive.To(OnRound(step), {StepOfRound(step) * SE2{0.01, 0, 0.01}});
+  }
+  drive.ExpectIsWhereItIs(0.03, 0.01);
+}
+
+TEST(ScanOdometry, ACoveredLaserLeavesThePoseToTheWheels) {
+  sensor::LaserScan covered;
+  for (int i = 0; i < 181; ++i) {
+    covered.beams.push_back({(i - 90) * kDeg, 0.15, BeamStatus::kHit});
+  }
+  Drive drive(synthetic::Room());
+  for (int step = 0; step <= 40; ++step) drive.To(OnRound(step));
+  for (int step = 41; step <= 44; ++step) {
+    const ScanMotion motion = drive.Take(covered, OnRound(step), {StepOfRound(step)});
+    EXPECT_FALSE(motion.matched) << step;
+    ExpectNear(motion.motion, StepOfRound(step), 0.02, 0.02);
+  }
+  for (int step = 45; step <= 80; ++step) EXPECT_TRUE(drive.To(OnRound(step)).matched) << step;
+  drive.ExpectIsWhereItIs(0.03, 0.01);
+}
+
+TEST(ScanOdometry, TheScanOfARepetitionIsNotLookedAt) {
+  Drive drive(synthetic::Room());
+  for (int step = 0; step <= 40; ++step) drive.To(OnRound(step));
+  const sensor::LaserScan frozen = drive.ScanAt(OnRound(40));
+  for (int step = 41; step <= 50; ++step) {
+    const ScanMotion motion =
+        drive.Take(frozen, OnRound(step), {StepOfRound(step), OdometryFault::kRepeatedScan});
+    EXPECT_TRUE((motion.motion == StepOfRound(step))) << step;
+    EXPECT_FALSE(motion.matched) << step;
+  }
+  for (int step = 51; step <= 80; ++step) drive.To(OnRound(step));
+  drive.ExpectIsWhereItIs(0.03, 0.01);
+}
+
+TEST(ScanOdometry, PlacesThatFitAlikeComeBackAsAlternatives) {
+  // Niches every half metre, of which the laser sees the same wherever it stands.
+  std::vector<Eigen::Vector2d> comb;
+  for (int i = -60; i < 60; ++i) {
+    const double x = 0.5 * i;
+    comb.insert(comb.end(), {{x, 1.0}, {x + 0.25, 1.0}, {x + 0.25, 1.3}, {x + 0.5, 1.3}});
+  }
+  synthetic::Walls walls = synthetic::Corridor(0.0);
+  walls.pop_back();
+  for (std::size_t i = 0; i + 1 < comb.size(); ++i) walls.push_back({comb[i], comb[i + 1]});
+  Drive drive(walls, {.beams = 360, .field_of_view_rad = 359 * kDeg, .usable_range_m = 6.0});
+  for (int step = 0; step <= 10; ++step) drive.To({0, 0, 0});
+  const ScanMotion motion = drive.To({0.25, 0, 0}, {{}, OdometryFault::kRestart});
+  EXPECT_TRUE(motion.searched);
+  ASSERT_GE(motion.alternatives.size(), 2u);
+  double sum = 0.0, forward = 0.0, backward = 0.0;
+  for (const auto& alternative : motion.alternatives) {
+    sum += alternative.probability;
+    const double x = alternative.motion.x;
+    if (std::abs(x - 0.25) < 0.05) forward = alternative.probability;
+    if (std::abs(x + 0.25) < 0.05) backward = alternative.probability;
+  }
+  EXPECT_NEAR(sum, 1.0, 1e-9);
+  EXPECT_GT(forward, 0.1);
+  EXPECT_GT(backward, 0.1);
+  EXPECT_TRUE((motion.motion == motion.alternatives.front().motion));
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ void ExpectSameWeightsAndMotions(const State& a, const State& b) {
 ParticleFilter::Options Resampling(double threshold, int threads = 1) {
   ParticleFilter::Options options = Particles(6, threads);
   options.resample_threshold = threshold;
-  options.obs_sigma_gain = 0.05;  // so that weights differ enough for twins
+  options.obs_sigma_gain = 0.01;  // so that weights differ enough for twins
   options.map_history.snapshot_every = 3;
   return options;
 }

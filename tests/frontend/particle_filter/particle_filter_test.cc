@@ -109,7 +109,7 @@ class OneStep : public testing::Test {
     filter_->Start(synthetic::Scan(synthetic::Room(), {}), {});
   }
   ParticleFilter::Update Step(const SE2& truth, const SE2& increment) {
-    return filter_->Advance(synthetic::Scan(synthetic::Room(), truth), increment);
+    return filter_->Advance(synthetic::Scan(synthetic::Room(), truth), {{increment}});
   }
   std::unique_ptr<ParticleFilter> filter_;
 };
@@ -141,7 +141,7 @@ TEST_F(OneStep, TwinsShareAllTilesAfterResampling) {
 
 TEST_F(OneStep, FailedMatchFallsBackToTheMotionModel) {
   sensor::LaserScan blind;  // no beams: nothing to match
-  const ParticleFilter::Update update = filter_->Advance(blind, {1.0, 0.0, 0.0});
+  const ParticleFilter::Update update = filter_->Advance(blind, {{SE2{1.0, 0.0, 0.0}}});
   EXPECT_EQ(update.failed_matches, 8);
   EXPECT_NEAR(update.effective_sample_size, 8.0, 1e-9);
   const Eigen::Vector3d sigmas = MotionModel({}).Sigmas({1, 0, 0});
@@ -153,6 +153,19 @@ TEST_F(OneStep, FailedMatchFallsBackToTheMotionModel) {
     EXPECT_LT(std::abs(particle.world_T_robot.x - 1.0), 4.0 * sigmas.x());
   }
   EXPECT_FALSE(filter_->particles()[0].world_T_robot == filter_->particles()[1].world_T_robot);
+}
+
+class OneStepWithoutResampling : public OneStep {
+ protected:
+  OneStepWithoutResampling() : OneStep(0.0) {}
+};
+
+TEST_F(OneStepWithoutResampling, ParticlesShareOutWhatTheControlInputDoesNotDecide) {
+  const sensor::LaserScan blind;
+  filter_->Advance(blind, {{{1.0, 0.0, 0.0}, 0.75}, {{-1.0, 0.0, 0.0}, 0.25}});
+  int ahead = 0;
+  for (const Particle& particle : filter_->particles()) ahead += particle.world_T_robot.x > 0.0;
+  EXPECT_EQ(ahead, 6);
 }
 
 }  // namespace

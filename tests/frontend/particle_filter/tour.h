@@ -47,7 +47,7 @@ struct Tour {
     for (; steps > 0; --steps) {
       const std::size_t i = updates.size() + 1;
       updates.push_back(filter.Advance(ScanOnDrive(static_cast<int>(i)),
-                                       MeasuredIncrement(truth[i - 1], truth[i])));
+                                       {{MeasuredIncrement(truth[i - 1], truth[i])}}));
     }
   }
 

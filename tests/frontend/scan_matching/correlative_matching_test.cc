@@ -71,6 +71,8 @@ CorrelativeMatch BruteForce(const CorrelativeMatcher::Options& options, const Po
   match.map_T_scan = {initial.x + best.x * step_m, initial.y + best.y * step_m,
                       initial.theta + best.angle * step_rad};
   match.second_score = options.second_floor * match.score;
+  match.second_map_T_scan = match.map_T_scan;
+  const Scored* second = nullptr;
   double weights = 0.0;
   for (const Scored& pose : all) {
     const double score = pose.sum / full;
@@ -78,13 +80,21 @@ CorrelativeMatch BruteForce(const CorrelativeMatcher::Options& options, const Po
                                  (pose.angle - best.angle) * step_rad);
     if (offset.head<2>().norm() > options.peak_separation_m + 1e-9 ||
         std::abs(offset.z()) > options.peak_separation_rad) {
-      match.second_score = std::max(match.second_score, score);
+      if (score >= options.second_floor * match.score &&
+          (!second || pose.Order() < second->Order())) {
+        second = &pose;
+      }
       continue;
     }
     const double weight = std::exp(options.independent_points * (score - match.score));
     if (weight < 0.01) continue;
     weights += weight;
     match.covariance += weight * offset * offset.transpose();
+  }
+  if (second) {
+    match.second_score = second->sum / full;
+    match.second_map_T_scan = {initial.x + second->x * step_m, initial.y + second->y * step_m,
+                               initial.theta + second->angle * step_rad};
   }
   match.covariance /= weights;
   match.covariance.diagonal() +=
@@ -133,6 +143,9 @@ TEST_P(CorrelativeMatcherOnRandomPoints, FindsWhatTryingAllPosesFinds) {
   EXPECT_NEAR(difference.translation().norm(), 0.0, 1e-9);
   EXPECT_NEAR(difference.theta, 0.0, 1e-9);
   EXPECT_DOUBLE_EQ(match.second_score, expected.second_score);
+  const SE2 second_off = Between(expected.second_map_T_scan, match.second_map_T_scan);
+  EXPECT_NEAR(second_off.translation().norm(), 0.0, 1e-9);
+  EXPECT_NEAR(second_off.theta, 0.0, 1e-9);
   EXPECT_TRUE(match.covariance.isApprox(expected.covariance, 1e-9)) << match.covariance << "\n\n"
                                                                     << expected.covariance;
 }
@@ -191,7 +204,21 @@ TEST(CorrelativeMatcher, OfEquallyGoodPosesTakesThatNearestToTheInitialOne) {
     EXPECT_DOUBLE_EQ(match.score, 1.0);
     EXPECT_DOUBLE_EQ(match.second_score, 1.0);
     EXPECT_GT(match.map_T_scan.x * x, 0.0);
+    // The other place is the second one.
+    EXPECT_LT(match.second_map_T_scan.x * x, 0.0);
+    EXPECT_NEAR(std::abs(match.second_map_T_scan.x), 1.0, 0.06);
   }
+}
+
+TEST(CorrelativeMatcher, TheSecondPoseIsTheBestOneWhereNothingElseIsNearlyAsGood) {
+  const Points points = PointsSeen(synthetic::Room(), {});
+  CorrelativeMatcher::Options options;
+  options.second_floor = 0.95;
+  const CorrelativeMatch match =
+      CorrelativeMatcher(options, points).Match(points, {0.1, 0.1, 0.1}, {1.0, 0.5});
+  ASSERT_TRUE(match.found);
+  EXPECT_DOUBLE_EQ(match.second_score, 0.95 * match.score);
+  EXPECT_TRUE((match.second_map_T_scan == match.map_T_scan));
 }
 
 TEST(CorrelativeMatcher, ARotationByAFullTurnIsNotASecondPeak) {

@@ -86,10 +86,53 @@ TEST_F(RandomPoses, ScoreIsThatOfTheMapItself) {
   EXPECT_GT(best, 0.5);
 }
 
+// Whether no beam has been where this one ends, nor ended on its last dozen cells.
+bool EndsInUnseenSpace(const map::OccupancyGrid& grid, const ScanPoint& point,
+                       const SE2& world_T_robot) {
+  const double resolution_m = grid.resolution_m();
+  const Eigen::Vector2d end = world_T_robot * Eigen::Vector2d(point.x_m, point.y_m) / resolution_m;
+  const Eigen::Vector2d back =
+      SE2{0, 0, world_T_robot.theta} * Eigen::Vector2d(point.back_x, point.back_y);
+  const auto cell = [&](int k) -> map::CellIndex {
+    const Eigen::Vector2d at = end + k * back;
+    return {static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
+  };
+  if (grid.cell(cell(0)).visits > 0) return false;
+  for (int k = 1; k <= 12; ++k) {
+    if (IsFull(grid, cell(k))) return false;
+  }
+  return true;
+}
+
+TEST_F(RandomPoses, EvidenceIsThatOfTheMapItself) {
+  double unknown = 0.0, contradicted = 0.0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const SE2 pose = Pose(trial % 2 == 0 ? 0.1 : 1.5);
+    Evidence expected;
+    for (const ScanPoint& point : points_) {
+      if (const std::optional<double> squared = SquaredDistance(grid_, point, pose)) {
+        expected.at_surface += 1.0;
+        expected.explained += std::exp(-0.5 * *squared / (0.04 * 0.04));
+      } else {
+        (EndsInUnseenSpace(grid_, point, pose) ? expected.unknown : expected.contradicted) += 1.0;
+      }
+    }
+    const Evidence found = model_.Evaluate(pose);
+    ASSERT_EQ(found.at_surface, expected.at_surface);
+    ASSERT_EQ(found.unknown, expected.unknown);
+    ASSERT_EQ(found.contradicted, expected.contradicted);
+    ASSERT_NEAR(found.explained, expected.explained, 1e-3);
+    unknown += found.unknown;
+    contradicted += found.contradicted;
+  }
+  EXPECT_GT(unknown, 1000.0);
+  EXPECT_GT(contradicted, 1000.0);
+}
+
 // Squared Mahalanobis distance from the end point to the hit means around it, taken from the map
-// cell by cell.
-double SurfaceDistance(const map::OccupancyGrid& grid, const ScanPoint& point,
-                       const SE2& world_T_robot, double sigma_m, double limit) {
+// cell by cell; nothing where there are none.
+std::optional<double> SurfaceDistance(const map::OccupancyGrid& grid, const ScanPoint& point,
+                                      const SE2& world_T_robot, double sigma_m) {
   const double resolution_m = grid.resolution_m();
   const Eigen::Vector2d end = world_T_robot * Eigen::Vector2d(point.x_m, point.y_m) / resolution_m;
   const int x = static_cast<int>(std::floor(end.x())), y = static_cast<int>(std::floor(end.y()));
@@ -107,12 +150,12 @@ double SurfaceDistance(const map::OccupancyGrid& grid, const ScanPoint& point,
       second += weight * (hit - end) * (hit - end).transpose();
     }
   }
-  if (sum == 0.0) return limit;
+  if (sum == 0.0) return std::nullopt;
   mean /= sum;
   const double noise = sigma_m / resolution_m;
   const Eigen::Matrix2d covariance =
       second / sum - mean * mean.transpose() + noise * noise * Eigen::Matrix2d::Identity();
-  return std::min(limit, mean.dot(covariance.inverse() * mean));
+  return mean.dot(covariance.inverse() * mean);
 }
 
 TEST_F(RandomPoses, LogLikelihoodIsThatOfTheMapItself) {
@@ -120,7 +163,10 @@ TEST_F(RandomPoses, LogLikelihoodIsThatOfTheMapItself) {
     const SE2 pose = Pose(trial % 2 == 0 ? 0.1 : 1.0);
     double expected = 0.0;
     for (const ScanPoint& point : points_) {
-      expected -= 0.5 * 0.25 * SurfaceDistance(grid_, point, pose, 0.06, 2.0 * 2.0);
+      // As far off as can be expected where nothing is known, the outlier's distance at the most.
+      const double otherwise = EndsInUnseenSpace(grid_, point, pose) ? 1.0 : 4.0;
+      const double squared = SurfaceDistance(grid_, point, pose, 0.06).value_or(otherwise);
+      expected -= 0.5 * 0.25 * std::min(squared, 4.0);
     }
     ASSERT_NEAR(model_.LogLikelihood(pose), expected, 1e-3);
   }
@@ -158,14 +204,19 @@ TEST(EndpointModel, ScanWithoutPointsScoresNothing) {
   EndpointModel model({}, &grid, &none);
   EXPECT_EQ(model.Score({}), 0.0);
   EXPECT_EQ(model.LogLikelihood({}), 0.0);
+  EXPECT_EQ(model.Evaluate({}).known(), 0.0);
 }
 
-TEST(EndpointModel, EveryBeamIsUnmatchedOnAnEmptyMap) {
+TEST(EndpointModel, AnEmptyMapSaysNothingAgainstAnyBeam) {
   const map::OccupancyGrid grid({});
   const ScanPoints points(10, {1.0, 0.0, -1.0, 0.0});
   EndpointModel model({.unmatched_sigmas = 2.0, .likelihood_gain = 0.5}, &grid, &points);
   EXPECT_EQ(model.Score({}), 0.0);
-  EXPECT_NEAR(model.LogLikelihood({}), -10 * 0.5 * 0.5 * 4.0, 1e-9);
+  EXPECT_NEAR(model.LogLikelihood({}), -10 * 0.5 * 0.5 * 1.0, 1e-9);
+  const Evidence evidence = model.Evaluate({});
+  EXPECT_EQ(evidence.unknown, 10.0);
+  EXPECT_EQ(evidence.known(), 0.0);
+  EXPECT_EQ(evidence.Fit(), 1.0);
 }
 
 TEST(EndpointModel, WallIsSeenFromItsOwnSide) {

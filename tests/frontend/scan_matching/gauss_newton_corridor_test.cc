@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "backend/counter_random.h"
+#include "frontend/map/scan_registration.h"
 #include "frontend/scan_matching/gauss_newton.h"
 #include "tests/frontend/room_map.h"
 
@@ -47,6 +50,41 @@ TEST_P(GaussNewtonInCorridor, ScanIsMovedAcrossAndLeftWhereItIsAlong) {
     EXPECT_NEAR(error.x, 0.2, 0.02);
     EXPECT_NEAR(error.y, 0.0, 0.002);
     EXPECT_NEAR(error.theta, 0.0, 0.001);
+  }
+}
+
+// Noise turns the normals of a wall this way and that: all of them together must not say where the
+// robot is along it.
+TEST_P(GaussNewtonInCorridor, NoisyRangesLeaveTheWayAlongItToThePrior) {
+  const double direction_rad = GetParam();
+  backend::CounterRandom random(6, 0);
+  const SE2 heading{0, 0, direction_rad};
+  const auto noisy = [&](const SE2& pose, int beams) {
+    sensor::LaserScan scan = synthetic::Scan(
+        synthetic::Corridor(direction_rad), pose,
+        {.beams = beams, .field_of_view_rad = 2.0 * std::numbers::pi * (beams - 1) / beams});
+    for (sensor::Beam& beam : scan.beams) beam.range_m += 0.01 * random.Gaussian();
+    return scan;
+  };
+  for (const int beams : {24, 60, 360}) {
+    map::OccupancyGrid grid({});
+    for (int i = -10; i <= 10; ++i) {
+      const SE2 pose = heading * SE2{0.5 * i, 0, 0};
+      map::RegisterScan(noisy(pose, beams), pose, {}, &grid);
+    }
+    double sum = 0.0;
+    for (int trial = 0; trial < 20; ++trial) {
+      const SE2 truth = heading * SE2{0.03 * trial, 0.1, 0};
+      const SE2 start = truth * SE2{0.1, 0, 0};
+      const Eigen::Matrix3d prior =
+          Eigen::Array3d(0.05, 0.05, 0.02).square().inverse().matrix().asDiagonal();
+      const SE2 aligned = GaussNewton({}, {})
+                              .Align(grid, MakeScanPoints(noisy(truth, beams)), start, prior)
+                              .world_T_robot;
+      sum += Between(start, aligned).x;
+    }
+    // On average it goes nowhere, neither back to the truth nor on.
+    EXPECT_NEAR(sum / 20, 0.0, 0.02) << beams;
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 
 #include "backend/counter_random.h"
 #include "tests/frontend/room_map.h"
+#include "tests/frontend/scan_matching/normal_equations.h"
 
 namespace gmapping_spa::scan_matching {
 namespace {
@@ -18,7 +18,6 @@ namespace {
 using backend::SE2;
 
 constexpr double kDeg = std::numbers::pi / 180.0;
-constexpr double kFullThreshold = 0.1;  // the grid's default
 
 const synthetic::Laser kLaser{.robot_T_laser = {0.25, -0.1, 0.3}};
 
@@ -34,81 +33,6 @@ map::OccupancyGrid OffsetLaserRoomMap() {
 
 ScanPoints RoomPoints(const SE2& world_T_robot) {
   return MakeScanPoints(synthetic::Scan(synthetic::Room(), world_T_robot, kLaser));
-}
-
-// The full cells around a point, weighted by the window: mean and covariance, in metres.
-struct Surface {
-  double weight = 0.0;
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
-};
-
-Surface SurfaceAt(const map::OccupancyGrid& grid, const Eigen::Vector2d& point_m) {
-  const double resolution_m = grid.resolution_m();
-  const int x = static_cast<int>(std::floor(point_m.x() / resolution_m));
-  const int y = static_cast<int>(std::floor(point_m.y() / resolution_m));
-  Surface surface;
-  for (int at_x = x - 1; at_x <= x + 1; ++at_x) {
-    for (int at_y = y - 1; at_y <= y + 1; ++at_y) {
-      const map::Cell& cell = grid.cell({at_x, at_y});
-      if (!(cell.hits > kFullThreshold * cell.visits)) continue;
-      const Eigen::Vector2d hit = resolution_m * Eigen::Vector2d(at_x + cell.mean_x / 65536.0,
-                                                                 at_y + cell.mean_y / 65536.0);
-      const double d = (hit - point_m).norm() / (2.0 * resolution_m);
-      const double weight = d < 1.0 ? std::pow(1.0 - d * d, 2) : 0.0;
-      surface.weight += weight;
-      surface.mean += weight * hit;
-      surface.covariance += weight * (hit - point_m) * (hit - point_m).transpose();
-    }
-  }
-  if (surface.weight == 0.0) return surface;
-  surface.mean /= surface.weight;
-  surface.covariance /= surface.weight;
-  surface.covariance -= (surface.mean - point_m) * (surface.mean - point_m).transpose();
-  return surface;
-}
-
-// The robust normal equations, beam by beam from the cells of the map; the end points'
-// derivatives by central differences.
-struct Reference {
-  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-  double inliers = 0.0;
-};
-
-Reference NormalEquations(const map::OccupancyGrid& grid, const ScanPoints& points, const SE2& pose,
-                          const GaussNewton::Options& options) {
-  Reference sum;
-  for (const ScanPoint& point : points) {
-    const auto end = [&](const Eigen::Vector3d& d) -> Eigen::Vector2d {
-      return SE2{pose.x + d.x(), pose.y + d.y(), pose.theta + d.z()} *
-             Eigen::Vector2d(point.x_m, point.y_m);
-    };
-    const Surface surface = SurfaceAt(grid, end(Eigen::Vector3d::Zero()));
-    if (surface.weight == 0.0) continue;
-    if (surface.covariance.trace() < 2.5e-7) continue;  // a single hit
-    Eigen::Matrix<double, 2, 3> jacobian;
-    for (int i = 0; i < 3; ++i) {
-      const Eigen::Vector3d d = 1e-5 * Eigen::Vector3d::Unit(i);
-      jacobian.col(i) = (end(d) - end(-d)) / 2e-5;
-    }
-    const double noise = options.noise_sigma_m;
-    // Across a wall all of the information counts, along it (the larger variance) hardly any.
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
-        surface.covariance + noise * noise * Eigen::Matrix2d::Identity());
-    const double ratio = axes.eigenvalues()[0] / axes.eigenvalues()[1];
-    const Eigen::Vector2d kept(1.0, std::pow(ratio, 4));
-    const Eigen::Matrix2d information = axes.eigenvectors() *
-                                        kept.cwiseQuotient(axes.eigenvalues()).asDiagonal() *
-                                        axes.eigenvectors().transpose();
-    const Eigen::Vector2d error = end(Eigen::Vector3d::Zero()) - surface.mean;
-    const double squared = error.dot(information * error);
-    const double weight = 1.0 / (1.0 + squared / std::pow(options.robust_sigmas, 2));
-    sum.hessian += weight * jacobian.transpose() * information * jacobian;
-    sum.gradient += weight * jacobian.transpose() * information * error;
-    sum.inliers += weight;
-  }
-  return sum;
 }
 
 class GaussNewtonInRoom : public testing::Test {
@@ -176,7 +100,8 @@ TEST_F(GaussNewtonInRoom, RecoversAPoseToAFractionOfACell) {
   std::vector<double> errors_m, errors_rad;
   for (int trial = 0; trial < 300; ++trial) {
     const SE2 truth = RandomPose(), start = Near(truth, 0.05, 2.0 * kDeg);
-    const MatchResult result = matcher.Match(grid_, RoomPoints(truth), start);
+    const MatchResult result =
+        matcher.Match(grid_, RoomPoints(truth), start, GaussNewton::WeakPrior());
     EXPECT_TRUE(result.success);
     const SE2 error = Between(truth, result.world_T_robot);
     errors_m.push_back(error.translation().norm());
@@ -190,7 +115,7 @@ TEST_F(GaussNewtonInRoom, RecoversAPoseToAFractionOfACell) {
   EXPECT_LT(errors_rad.back(), 0.1 * kDeg);
 }
 
-TEST_F(GaussNewtonInRoom, ScoreIsThatOfThePoseItReturnsAndNoLowerThanAtTheStart) {
+TEST_F(GaussNewtonInRoom, ScoreIsTheFitOfThePoseItReturnsAndNoLowerThanAtTheStart) {
   const GaussNewton matcher({}, {});
   int moved = 0, stayed = 0;
   for (int trial = 0; trial < 200; ++trial) {
@@ -198,10 +123,10 @@ TEST_F(GaussNewtonInRoom, ScoreIsThatOfThePoseItReturnsAndNoLowerThanAtTheStart)
     const double spread = trial % 4 == 0 ? 2.0 : 0.1;
     const SE2 start = trial % 10 == 0 ? truth : Near(truth, spread, spread);
     const ScanPoints points = RoomPoints(truth);
-    const MatchResult result = matcher.Match(grid_, points, start);
+    const MatchResult result = matcher.Match(grid_, points, start, GaussNewton::WeakPrior());
     EndpointModel model({}, &grid_, &points);
-    ASSERT_EQ(result.score, model.Score(result.world_T_robot)) << trial;
-    ASSERT_GE(result.score, model.Score(start)) << trial;
+    ASSERT_EQ(result.score, model.Evaluate(result.world_T_robot).Fit()) << trial;
+    ASSERT_GE(result.score, model.Evaluate(start).Fit()) << trial;
     ASSERT_EQ(result.success, result.score >= 0.2) << trial;
     ++(result.world_T_robot == start ? stayed : moved);
   }
@@ -231,6 +156,14 @@ TEST_F(GaussNewtonInRoom, PriorHoldsOnlyWhatItIsSureOf) {
   EXPECT_GT(aligned.y, start.y + 0.02);
 }
 
+TEST_F(GaussNewtonInRoom, MatchFusesThePriorWithTheScan) {
+  const SE2 truth{0.2, 0.5, -2.0}, start{0.24, 0.46, -2.0};
+  const Eigen::Matrix3d sure_of_x = Eigen::Vector3d(1e14, 1e-3, 1e-3).asDiagonal();
+  const MatchResult result = GaussNewton({}, {}).Match(grid_, RoomPoints(truth), start, sure_of_x);
+  EXPECT_NEAR(result.world_T_robot.x, start.x, 1e-6);
+  EXPECT_GT(result.world_T_robot.y, start.y + 0.02);
+}
+
 TEST_F(GaussNewtonInRoom, ScanWithoutPointsStaysWhereItIs) {
   const SE2 start{1, 2, 3};
   const GaussNewton matcher({.min_score = 0.0}, {});  // even where any score at all would do
@@ -239,9 +172,8 @@ TEST_F(GaussNewtonInRoom, ScanWithoutPointsStaysWhereItIs) {
   EXPECT_TRUE(alignment.world_T_robot == start);
   EXPECT_TRUE(alignment.world_information.isZero(0.0));
   EXPECT_EQ(alignment.inliers, 0.0);
-  const MatchResult result = matcher.Match(grid_, {}, start);
+  const MatchResult result = matcher.Match(grid_, {}, start, GaussNewton::WeakPrior());
   EXPECT_FALSE(result.success);
-  EXPECT_EQ(result.score, 0.0);
   EXPECT_TRUE(result.world_T_robot == start);
 }
 
@@ -252,8 +184,7 @@ TEST_F(GaussNewtonInRoom, PointsOutsideTheMapSayNothing) {
   for (const map::OccupancyGrid* grid : {&grid_, &empty}) {
     const GaussNewton matcher({}, {});
     EXPECT_TRUE(matcher.InformationAt(*grid, points, far_away).isZero(0.0));
-    const MatchResult result = matcher.Match(*grid, points, far_away);
-    EXPECT_FALSE(result.success);
+    const MatchResult result = matcher.Match(*grid, points, far_away, GaussNewton::WeakPrior());
     EXPECT_TRUE(result.world_T_robot == far_away);
     EXPECT_TRUE(matcher.Align(*grid, points, far_away, GaussNewton::WeakPrior()).world_T_robot ==
                 far_away);

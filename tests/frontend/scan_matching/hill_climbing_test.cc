@@ -16,6 +16,7 @@ namespace {
 using backend::SE2;
 
 constexpr double kDeg = std::numbers::pi / 180.0;
+const Eigen::Matrix3d kNoPrior = Eigen::Matrix3d::Zero();
 
 TEST(HillClimbing, RecoversAPoseToACentimetreAndNineteenInTwentyToAFifthOfADegree) {
   const map::OccupancyGrid grid = synthetic::RoomMap();
@@ -27,7 +28,7 @@ TEST(HillClimbing, RecoversAPoseToACentimetreAndNineteenInTwentyToAFifthOfADegre
     const SE2 truth{offset(1.2), offset(1.0), offset(std::numbers::pi)};
     const ScanPoints points = MakeScanPoints(synthetic::Scan(synthetic::Room(), truth));
     const SE2 start = truth * SE2{offset(0.1), offset(0.1), offset(4.0 * kDeg)};
-    const MatchResult result = matcher.Match(grid, points, start);
+    const MatchResult result = matcher.Match(grid, points, start, kNoPrior);
     EXPECT_TRUE(result.success);
     const SE2 error = Between(truth, result.world_T_robot);
     errors_m.push_back(error.translation().norm());
@@ -50,7 +51,7 @@ TEST(HillClimbing, ScoreIsThatOfThePoseItReturnsAndNoWorseThanAtTheStart) {
   EndpointModel model({}, &grid, &points);
   for (const double offset : {0.0, 0.05, 0.3, 2.0}) {
     const SE2 start = truth * SE2{offset, -offset, 0.1 * offset};
-    const MatchResult result = matcher.Match(grid, points, start);
+    const MatchResult result = matcher.Match(grid, points, start, kNoPrior);
     EXPECT_EQ(result.score, model.Score(result.world_T_robot));
     EXPECT_GE(result.score, model.Score(start));
   }
@@ -59,7 +60,7 @@ TEST(HillClimbing, ScoreIsThatOfThePoseItReturnsAndNoWorseThanAtTheStart) {
 TEST(HillClimbing, SaysThatItFailedOnAnEmptyMap) {
   const map::OccupancyGrid empty({});
   const ScanPoints points = MakeScanPoints(synthetic::Scan(synthetic::Room(), {}));
-  const MatchResult result = HillClimbing({}, {}).Match(empty, points, {1, 2, 3});
+  const MatchResult result = HillClimbing({}, {}).Match(empty, points, {1, 2, 3}, kNoPrior);
   EXPECT_FALSE(result.success);
   EXPECT_EQ(result.score, 0.0);
   EXPECT_TRUE((result.world_T_robot == SE2{1, 2, 3}));
@@ -68,7 +69,8 @@ TEST(HillClimbing, SaysThatItFailedOnAnEmptyMap) {
 TEST(HillClimbing, SaysThatItFailedOnAScanWithoutPoints) {
   const map::OccupancyGrid grid = synthetic::RoomMap();
   // Even where any score at all would do.
-  const MatchResult result = HillClimbing({.min_score = 0.0}, {}).Match(grid, {}, {1, 2, 3});
+  const MatchResult result =
+      HillClimbing({.min_score = 0.0}, {}).Match(grid, {}, {1, 2, 3}, kNoPrior);
   EXPECT_FALSE(result.success);
   EXPECT_TRUE((result.world_T_robot == SE2{1, 2, 3}));
 }
@@ -77,9 +79,10 @@ TEST(HillClimbing, FailsBelowTheMinimumScore) {
   const map::OccupancyGrid grid = synthetic::RoomMap();
   const SE2 truth{0.2, 0.5, -2.0};
   const ScanPoints points = MakeScanPoints(synthetic::Scan(synthetic::Room(), truth));
-  const double score = HillClimbing({}, {}).Match(grid, points, truth).score;
-  EXPECT_TRUE(HillClimbing({.min_score = score}, {}).Match(grid, points, truth).success);
-  EXPECT_FALSE(HillClimbing({.min_score = score + 1e-6}, {}).Match(grid, points, truth).success);
+  const double score = HillClimbing({}, {}).Match(grid, points, truth, kNoPrior).score;
+  EXPECT_TRUE(HillClimbing({.min_score = score}, {}).Match(grid, points, truth, kNoPrior).success);
+  EXPECT_FALSE(
+      HillClimbing({.min_score = score + 1e-6}, {}).Match(grid, points, truth, kNoPrior).success);
 }
 
 }  // namespace

@@ -1,0 +1,188 @@
+#include "frontend/control_input.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/frontend/scan_odometry_drive.h"
+
+namespace gmapping_spa::frontend {
+namespace {
+
+using backend::SE2;
+
+// Drives the round of Drive; the odometry stands in the scans.
+class ControlInputInARoom : public testing::Test {
+ protected:
+  void Start(OdometrySource source) {
+    ControlInput::Options options;
+    options.source = source;
+    control_ = std::make_unique<ControlInput>(options, &health_);
+  }
+
+  sensor::LaserScan ScanAt(int step) {
+    sensor::LaserScan scan = synthetic::Scan(synthetic::Room(), OnRound(step));
+    scan.stamp_s = 100.0 + 0.1 * step;
+    scan.odom_T_robot = odom_T_world_ * OnRound(step);
+    return scan;
+  }
+
+  ScanMotion Take(const sensor::LaserScan& scan) {
+    const ScanMotion motion = control_->Advance(scan);
+    world_T_estimate_ = world_T_estimate_ * motion.motion;
+    return motion;
+  }
+
+  void DriveUpTo(int last) {
+    while (step_ <= last) Take(ScanAt(step_++));
+  }
+
+  std::vector<std::string> Findings() const {
+    std::vector<std::string> kinds;
+    for (const auto& [kind, finding] : health_.findings()) kinds.push_back(kind);
+    return kinds;
+  }
+  using Kinds = std::vector<std::string>;
+
+  Health health_;
+  std::unique_ptr<ControlInput> control_;
+  SE2 odom_T_world_{3, -2, 0.7};
+  SE2 world_T_estimate_ = OnRound(0);
+  int step_ = 0;
+};
+
+TEST_F(ControlInputInARoom, NothingIsReportedWhereAllIsWell) {
+  for (const OdometrySource source :
+       {OdometrySource::kWheel, OdometrySource::kScanMatched, OdometrySource::kLidarOnly}) {
+    Start(source);
+    step_ = 0;
+    world_T_estimate_ = OnRound(0);
+    DriveUpTo(80);
+    EXPECT_EQ(Findings(), Kinds{}) << static_cast<int>(source);
+    EXPECT_TRUE(health_.stretches().empty());
+    ExpectNear(world_T_estimate_, OnRound(80), 0.03, 0.01);
+  }
+}
+
+TEST_F(ControlInputInARoom, WheelsAreTakenAsTheyAreIfThatIsAskedFor) {
+  Start(OdometrySource::kWheel);
+  DriveUpTo(20);
+  odom_T_world_ = SE2{3, -2, 0.7} * OnRound(20) * SE2{0.05, 0.02, 0.1} * Inverse(OnRound(20));
+  const SE2 wheels = Between(SE2{3, -2, 0.7} * OnRound(20), odom_T_world_ * OnRound(21));
+  ExpectNear(Take(ScanAt(21)).motion, wheels, 1e-9, 1e-9);
+  EXPECT_EQ(Findings(), Kinds{});
+}
+
+TEST_F(ControlInputInARoom, AnImpossibleStepIsLeftOutAndReportedWithItsTime) {
+  for (const OdometrySource source : {OdometrySource::kWheel, OdometrySource::kScanMatched}) {
+    health_ = {};
+    Start(source);
+    step_ = 0;
+    world_T_estimate_ = OnRound(0);
+    DriveUpTo(40);
+    odom_T_world_ = SE2{70, 20, 1} * odom_T_world_;
+    DriveUpTo(80);
+    EXPECT_EQ(Findings(), Kinds{"odometry_impossible"});
+    EXPECT_EQ(health_.findings().at("odometry_impossible").count, 1);
+    EXPECT_DOUBLE_EQ(health_.findings().at("odometry_impossible").first_stamp_s, 104.1);
+    // One step of 0.1 m is missing where there are but wheels.
+    const double bound_m = source == OdometrySource::kWheel ? 0.15 : 0.03;
+    ExpectNear(world_T_estimate_, OnRound(80), bound_m,
+               source == OdometrySource::kWheel ? 0.1 : 0.01);
+  }
+}
+
+TEST_F(ControlInputInARoom, ARestartIsReported) {
+  Start(OdometrySource::kScanMatched);
+  DriveUpTo(39);
+  odom_T_world_ = Inverse(OnRound(40));
+  DriveUpTo(80);
+  EXPECT_EQ(Findings(), Kinds{"odometry_restart"});
+  EXPECT_DOUBLE_EQ(health_.findings().at("odometry_restart").first_stamp_s, 104.0);
+  ExpectNear(world_T_estimate_, OnRound(80), 0.03, 0.01);
+}
+
+TEST_F(ControlInputInARoom, SilentWheelsAreReported) {
+  Start(OdometrySource::kScanMatched);
+  DriveUpTo(40);
+  for (; step_ <= 80; ++step_) {
+    sensor::LaserScan scan = ScanAt(step_);
+    scan.odom_T_robot = odom_T_world_ * OnRound(40);
+    Take(scan);
+  }
+  EXPECT_EQ(Findings(), Kinds{"odometry_silent"});
+  EXPECT_GT(health_.findings().at("odometry_silent").count, 30);
+  ExpectNear(world_T_estimate_, OnRound(80), 0.03, 0.01);
+}
+
+TEST_F(ControlInputInARoom, AContradictionIsReported) {
+  Start(OdometrySource::kScanMatched);
+  DriveUpTo(40);
+  odom_T_world_ = odom_T_world_ * OnRound(40) * SE2{0, 0, 0.5} * Inverse(OnRound(40));
+  DriveUpTo(80);
+  EXPECT_EQ(Findings(), Kinds{"odometry_contradicted"});
+  EXPECT_EQ(health_.findings().at("odometry_contradicted").count, 1);
+  ExpectNear(world_T_estimate_, OnRound(80), 0.03, 0.01);
+}
+
+TEST_F(ControlInputInARoom, ARepeatedScanIsReportedAndIsNotCalledLost) {
+  Start(OdometrySource::kScanMatched);
+  DriveUpTo(40);
+  for (; step_ <= 45; ++step_) {
+    sensor::LaserScan frozen = ScanAt(step_);
+    frozen.beams = ScanAt(40).beams;
+    Take(frozen);
+  }
+  DriveUpTo(80);
+  EXPECT_EQ(Findings(), Kinds{"repeated_scan"});
+  EXPECT_EQ(health_.findings().at("repeated_scan").count, 5);
+  EXPECT_TRUE(health_.stretches().empty());
+  ExpectNear(world_T_estimate_, OnRound(80), 0.03, 0.01);
+}
+
+TEST_F(ControlInputInARoom, ALogWithoutOdometryIsReported) {
+  Start(OdometrySource::kScanMatched);
+  for (; step_ <= 80; ++step_) {
+    sensor::LaserScan scan = ScanAt(step_);
+    scan.has_odometry = false;
+    Take(scan);
+  }
+  EXPECT_EQ(Findings(), Kinds{"odometry_missing"});
+  ExpectNear(world_T_estimate_, OnRound(80), 0.03, 0.01);
+}
+
+TEST_F(ControlInputInARoom, LidarOnlyNeverLooksAtTheOdometry) {
+  Start(OdometrySource::kLidarOnly);
+  for (; step_ <= 80; ++step_) {
+    sensor::LaserScan scan = ScanAt(step_);
+    scan.odom_T_robot = {1e3 * std::sin(9.0 * step_), std::nan(""), 2.0 * step_};
+    Take(scan);
+  }
+  EXPECT_EQ(Findings(), Kinds{});
+  ExpectNear(world_T_estimate_, OnRound(80), 0.03, 0.01);
+}
+
+TEST_F(ControlInputInARoom, ACoveredLaserIsALostStretch) {
+  Start(OdometrySource::kScanMatched);
+  DriveUpTo(40);
+  for (; step_ <= 44; ++step_) {
+    sensor::LaserScan covered = ScanAt(step_);
+    for (sensor::Beam& beam : covered.beams) {
+      beam.range_m = 0.15 + 1e-3 * (step_ % 2);
+    }
+    EXPECT_FALSE(Take(covered).matched);
+  }
+  DriveUpTo(80);
+  EXPECT_EQ(Findings(), Kinds{"unmatched_scan"});
+  ASSERT_EQ(health_.stretches().count("lost"), 1u);
+  const std::vector<Stretch>& lost = health_.stretches().at("lost");
+  ASSERT_EQ(lost.size(), 1u);
+  EXPECT_DOUBLE_EQ(lost.front().begin_s, 104.1);
+  EXPECT_DOUBLE_EQ(lost.front().end_s, 104.4);
+  ExpectNear(world_T_estimate_, OnRound(80), 0.03, 0.01);
+}
+
+}  // namespace
+}  // namespace gmapping_spa::frontend

@@ -1,0 +1,81 @@
+// Places that leave a direction open, and scans of few beams: odometry without error is kept.
+#include <gtest/gtest.h>
+
+#include "tests/frontend/scan_odometry_drive.h"
+
+namespace gmapping_spa::frontend {
+namespace {
+
+using backend::SE2;
+
+// The way of a robot that starts gently and goes on at 1 m/s, after so many scans.
+double Way(int step) {
+  constexpr int kStart = 20;  // scans, at ten a second
+  return step < kStart ? 0.05 * step * step / kStart : 0.1 * step - 0.05 * kStart;
+}
+
+// Along Corridor(direction) from x = 0, forwards or in reverse. `facing`: of the robot, relative to
+// the way it drives.
+class ScanOdometryInACorridor : public testing::TestWithParam<double> {
+ protected:
+  void DriveAlong(Drive* drive, double facing_rad, int steps) {
+    const SE2 along{0, 0, GetParam()};
+    for (int step = 0; step <= steps; ++step) {
+      drive->To(along * SE2{Way(step), 0.1, facing_rad});
+    }
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Direction, ScanOdometryInACorridor, testing::Values(0.0, 0.35, -0.8));
+
+TEST_P(ScanOdometryInACorridor, ExactWheelsAreKeptForwards) {
+  Drive drive(synthetic::Corridor(GetParam()));
+  DriveAlong(&drive, 0.0, 100);
+  drive.ExpectIsWhereItIs(0.02, 0.01);
+}
+
+TEST_P(ScanOdometryInACorridor, ExactWheelsAreKeptInReverse) {
+  Drive drive(synthetic::Corridor(GetParam()));
+  DriveAlong(&drive, std::numbers::pi, 100);
+  drive.ExpectIsWhereItIs(0.02, 0.01);
+}
+
+TEST_P(ScanOdometryInACorridor, ExactWheelsAreKeptInReverseFromTheEndThatIsSeen) {
+  synthetic::Walls walls = synthetic::Corridor(GetParam());
+  const SE2 rotation{0, 0, GetParam()};
+  walls.push_back({rotation * Eigen::Vector2d(-2, -1), rotation * Eigen::Vector2d(-2, 1)});
+  Drive drive(walls);
+  DriveAlong(&drive, std::numbers::pi, 100);
+  drive.ExpectIsWhereItIs(0.02, 0.01);
+}
+
+TEST_P(ScanOdometryInACorridor, WheelsThatSlipAcrossItAreCorrected) {
+  Drive drive(synthetic::Corridor(GetParam()));
+  const SE2 along{0, 0, GetParam()};
+  for (int step = 0; step <= 60; ++step) {
+    const double driven_m = step == 0 ? 0.0 : Way(step) - Way(step - 1);
+    drive.To(along * SE2{Way(step), 0, 0}, {{driven_m, 0.02 * driven_m, 0.03 * driven_m}});
+  }
+  drive.ExpectIsWhereItIs(0.12, 0.01);
+  EXPECT_NEAR(Between(along, drive.world_T_estimate()).y, 0.0, 0.02);
+}
+
+TEST(ScanOdometryWithFewBeams, ExactWheelsAreKept) {
+  // In a corridor with an end and niches.
+  synthetic::Walls walls;
+  synthetic::AddPolygon({{-2, -1}, {12, -1}, {12, 1}, {7, 1}, {7, 1.5}, {6, 1.5}, {6, 1}, {-2, 1}},
+                        0.2, &walls);
+  for (const int beams : {16, 24, 36}) {
+    Drive drive(
+        walls, {.beams = beams, .field_of_view_rad = 2.0 * std::numbers::pi * (beams - 1) / beams});
+    const SE2 along{0, 0, 0.2};
+    for (int step = 0; step <= 80; ++step) drive.To(along * SE2{Way(step), 0.1, 0});
+    SCOPED_TRACE(beams);
+    const SE2 off = Between(drive.world_T_robot(), drive.world_T_estimate());
+    EXPECT_NEAR(off.x, 0.0, 0.03);  // the length of the way
+    EXPECT_NEAR(off.y, 0.0, 0.08);
+    EXPECT_NEAR(off.theta, 0.0, 0.02);
+  }
+}
+
+}  // namespace
+}  // namespace gmapping_spa::frontend

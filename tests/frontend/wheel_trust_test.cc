@@ -1,0 +1,137 @@
+#include "frontend/wheel_trust.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "backend/counter_random.h"
+
+namespace gmapping_spa::frontend {
+namespace {
+
+using backend::SE2;
+using sensor::OdometryFault;
+using Wheels = sensor::OdometryCheck::Step;
+
+const SE2 kStep{0.1, 0, 0.05};  // of the robot, at every scan
+constexpr Wheels kUnchanged{{}, OdometryFault::kUnchanged};
+
+class WheelTrustOnADrive : public testing::Test {
+ protected:
+  // One scan: what the wheels say, and what the motion was after all.
+  std::optional<WheelMotion> Take(const Wheels& wheels, const SE2& motion) {
+    const std::optional<WheelMotion> guess = trust_.Guess(wheels);
+    if (guess) {
+      trust_.Learn(motion, MotionPrior({}, guess, {}, 0.1).hypotheses().front());
+    } else {
+      trust_.Learn(motion);
+    }
+    return guess;
+  }
+
+  void DriveWell(int scans) {
+    for (int i = 0; i < scans; ++i) Take({kStep}, kStep);
+  }
+
+  WheelTrust trust_;
+};
+
+TEST_F(WheelTrustOnADrive, GoodWheelsAreTakenAtTheirWord) {
+  DriveWell(100);
+  const std::optional<WheelMotion> guess = trust_.Guess({kStep});
+  ASSERT_TRUE(guess);
+  EXPECT_TRUE((guess->motion == kStep));
+  EXPECT_DOUBLE_EQ(guess->sigma_factor, 1.0);
+  EXPECT_NEAR(guess->wrong, 0.01, 1e-9);
+  EXPECT_FALSE(trust_.late());
+  EXPECT_FALSE(trust_.silent());
+}
+
+TEST_F(WheelTrustOnADrive, FaultyReadingsSayNothing) {
+  DriveWell(10);
+  for (const OdometryFault fault : {OdometryFault::kFirst, OdometryFault::kImpossible,
+                                    OdometryFault::kRestart, OdometryFault::kMissing}) {
+    EXPECT_FALSE(Take({{}, fault}, kStep));
+    EXPECT_FALSE(trust_.silent());
+  }
+  EXPECT_TRUE(trust_.Guess({kStep}));
+}
+
+TEST_F(WheelTrustOnADrive, WheelsThatHaveNeverMovedSayNothing) {
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_FALSE(Take(kUnchanged, kStep)) << i;
+    EXPECT_TRUE(trust_.silent());
+  }
+}
+
+TEST_F(WheelTrustOnADrive, WheelsThatStandStillWithTheRobotAreHeard) {
+  DriveWell(10);
+  for (int i = 0; i < 20; ++i) {
+    const std::optional<WheelMotion> guess = Take(kUnchanged, {});
+    ASSERT_TRUE(guess) << i;
+    EXPECT_TRUE((guess->motion == SE2{}));
+  }
+}
+
+TEST_F(WheelTrustOnADrive, WheelsThatStandStillWhileTheRobotMovesFallSilentUntilTheyMove) {
+  DriveWell(10);
+  int heard = 0;
+  for (int i = 0; i < 20; ++i) heard += Take(kUnchanged, kStep) ? 1 : 0;
+  EXPECT_EQ(heard, 3);
+  EXPECT_TRUE(trust_.silent());
+  EXPECT_TRUE(trust_.Guess({kStep}));
+  EXPECT_FALSE(trust_.silent());
+}
+
+TEST_F(WheelTrustOnADrive, NoisyWheelsAreBelievedAsFarAsTheirNoiseAllows) {
+  backend::CounterRandom random(2, 0);
+  const MotionHypothesis usual = MotionPrior({}, WheelMotion{kStep}, {}, 0.1).hypotheses().front();
+  for (int i = 0; i < 400; ++i) {
+    const SE2 noise{3.0 * usual.sigma_m * random.Gaussian(),
+                    3.0 * usual.sigma_m * random.Gaussian(),
+                    3.0 * usual.sigma_rad * random.Gaussian()};
+    Take({kStep * noise}, kStep);
+  }
+  EXPECT_NEAR(trust_.Guess({kStep})->sigma_factor, 3.0, 1.0);
+  EXPECT_FALSE(trust_.late());
+}
+
+TEST_F(WheelTrustOnADrive, OneSlipIsForgotten) {
+  DriveWell(50);
+  Take({kStep * SE2{1.0, 0, 1.0}}, kStep);
+  EXPECT_GT(trust_.Guess({kStep})->sigma_factor, 1.2);
+  EXPECT_GT(trust_.Guess({kStep})->wrong, 0.03);
+  DriveWell(150);
+  EXPECT_NEAR(trust_.Guess({kStep})->sigma_factor, 1.0, 0.1);
+  EXPECT_LT(trust_.Guess({kStep})->wrong, 0.02);
+}
+
+TEST_F(WheelTrustOnADrive, WheelsThatAreAlwaysWrongAreNotGivenUpAltogether) {
+  backend::CounterRandom random(4, 0);
+  for (int i = 0; i < 300; ++i) {
+    Take({{random.Gaussian(), random.Gaussian(), random.Gaussian()}}, kStep);
+  }
+  EXPECT_LE(trust_.Guess({kStep})->wrong, 0.5);
+  EXPECT_LE(trust_.Guess({kStep})->sigma_factor, 10.0);
+}
+
+// Readings that come every second scan: nothing, then two steps at once.
+TEST_F(WheelTrustOnADrive, ReadingsThatLagBehindAreNoticedAndMadeUpFor) {
+  SE2 held_back;
+  double said_off = 0.0, guess_off = 0.0;
+  for (int scan = 0; scan < 300; ++scan) {
+    held_back = held_back * kStep;
+    const bool told = scan % 2 == 1;
+    const std::optional<WheelMotion> guess = Take(told ? Wheels{held_back} : kUnchanged, kStep);
+    if (guess && scan >= 100) {
+      said_off += Log(Between(kStep, told ? held_back : SE2{})).squaredNorm();
+      guess_off += Log(Between(kStep, guess->motion)).squaredNorm();
+    }
+    if (told) held_back = {};
+  }
+  EXPECT_TRUE(trust_.late());
+  EXPECT_LT(guess_off, 0.5 * said_off);
+}
+
+}  // namespace
+}  // namespace gmapping_spa::frontend
