@@ -43,6 +43,12 @@ constexpr double kSame_rad = 0.05;
 // Of beams in doubt: fewer that do not fit prove nothing.
 constexpr double kFewBeams = 4.0;
 
+// A scan that fits less than this part of what recent scans did does not fit at all.
+constexpr double kLostBelow = 0.4;
+constexpr int kGiveUpScans = 20;  // in a row
+
+constexpr int kScansToKnowVelocity = 3;
+
 // Half widths of the windows that are searched, one after the other until a match convinces.
 struct Window {
   double linear_m, angular_rad;
@@ -91,7 +97,9 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
   const MotionPrior prior = MakePrior(guess, duration_s);
   std::vector<Match> matches = {
       Track(before * prior.hypotheses().front().motion, prior.hypotheses().front())};
-  if (!prior.GuessesAgree() || !IsConvincing(matches.front(), prior)) {
+  // At first the velocity is not known, and a map of one scan says that nothing has moved.
+  const bool guesses_agree = scans_ < kScansToKnowVelocity || prior.GuessesAgree();
+  if (!guesses_agree || !IsConvincing(matches.front(), prior)) {
     for (std::size_t k = 1; k < prior.hypotheses().size(); ++k) {
       matches.push_back(Track(before * prior.hypotheses()[k].motion, prior.hypotheses()[k]));
     }
@@ -111,6 +119,7 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
     }
   }
   const Match& best = matches.front();
+  unmatched_scans_ = IsMatched(best) ? 0 : unmatched_scans_ + 1;
   Learn(best, duration_s);
   odom_T_robot_ = best.odom_T_robot;
   result.motion = Between(before, odom_T_robot_);
@@ -123,8 +132,7 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
   }
   result.wheels_silent = wheel_trust_.silent() && Moves(result.motion);
   result.wheels_late = guess && wheel_trust_.late();
-  const double fit_nats = Nats(best, best.evidence.unknown);
-  result.matched = fit_nats > -kGarbage_nats;
+  result.matched = IsMatched(best);
   double sum = 0.0;
   for (const Match& match : matches) {
     const double nats = match.log_posterior - best.log_posterior;
@@ -135,11 +143,16 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
   if (result.alternatives.size() == 1) result.alternatives.clear();
   for (auto& alternative : result.alternatives) alternative.probability /= sum;
 
-  // A map must not hold both sides of a step that may be wrong.
-  if (!result.alternatives.empty()) map_.Clear();
+  // A map must not hold both sides of a step that may be wrong; and where nothing fits any more, the
+  // robot is not where the map is.
+  if (!result.alternatives.empty() || unmatched_scans_ >= kGiveUpScans) {
+    map_.Clear();
+    unmatched_scans_ = 0;
+  }
   const SE2 since_entered = Between(odom_T_entered_, odom_T_robot_);
-  if (map_.empty() || since_entered.translation().norm() > options_.enter_m ||
-      std::abs(since_entered.theta) > options_.enter_rad) {
+  const bool moved_on = since_entered.translation().norm() > options_.enter_m ||
+                        std::abs(since_entered.theta) > options_.enter_rad;
+  if (map_.empty() || (moved_on && result.matched)) {
     odom_T_entered_ = odom_T_robot_;
     map_.Enter(scan, odom_T_robot_);
   }
@@ -213,6 +226,11 @@ double ScanOdometry::Nats(const Match& match, double least_unknown) const {
   return kNatsPerBeam * (e.explained - usual_fit_ * (e.known() + unexpected));
 }
 
+// Whether the scan has anything to do with the map.
+bool ScanOdometry::IsMatched(const Match& match) const {
+  return match.evidence.known() < kFewBeams || match.evidence.Fit() > kLostBelow * usual_fit_;
+}
+
 // Sorts by the posterior and leaves out what is the same.
 void ScanOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) const {
   double least_unknown = 1e9;
@@ -238,7 +256,8 @@ void ScanOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) c
 }
 
 void ScanOdometry::Learn(const Match& match, double duration_s) {
-  if (match.evidence.known() > 0.0) {
+  ++scans_;
+  if (match.evidence.known() > 0.0 && IsMatched(match)) {
     usual_fit_ += kForgetting * (match.evidence.Fit() - usual_fit_);
     usual_fit_ = std::max(usual_fit_, kMinUsualFit);
   }

@@ -72,6 +72,7 @@ class ScanOdometry {
                             const scan_matching::SearchWindow& window);
   bool IsConvincing(const Match& match, const MotionPrior& prior) const;
   double Nats(const Match& match, double least_unknown) const;
+  bool IsMatched(const Match& match) const;
   void Rank(const MotionPrior& prior, std::vector<Match>* matches) const;
   void Learn(const Match& match, double duration_s);
 
@@ -86,6 +87,8 @@ class ScanOdometry {
   double usual_duration_s_ = 0.1;                           // running mean
   double usual_fit_ = 0.6;                              // running mean
   WheelTrust wheel_trust_;
+  int scans_ = 0;            // seen
+  int unmatched_scans_ = 0;  // in a row
 };
 
 }  // namespace gmapping_spa::frontend

@@ -86,7 +86,7 @@ class CellBlock {
  private:
   static constexpr int kSize = 8;
   static constexpr int kCentre = 3;
-  static constexpr int kOften = 3;  // hits
+  static constexpr int kOften = 8;  // hits
   static constexpr std::uint64_t kThreeByThree = 0x070707;
   static constexpr float kFarAway = 1e6f;
 

@@ -25,7 +25,7 @@ constexpr float kSingleHit = 1e-4f;  // in squared cells, beyond rounding
 // that is.
 constexpr double kFeigned = 2.0;
 // Variance of the normal of hit means, rad^2.
-constexpr double kMapNormalVariance = 0.005;
+constexpr double kMapNormalVariance = 0.01;
 // The map knows how a wall runs where so many cells around have been hit often.
 constexpr int kCellsOfWall = 2;
 
@@ -49,7 +49,7 @@ void NormalEquations::KeepWhatIsBound() {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(given_theta);
   const Eigen::Vector2d weakest = eigen.eigenvectors().col(0);
   const double bound = eigen.eigenvalues()[0], noise = weakest.dot(feigned * weakest);
-  const double kept = std::clamp(bound / (kFeigned * noise + 1e-9) - 1.0, 0.0, 1.0);
+  const double kept = bound > 0.0 ? std::clamp(1.0 - kFeigned * noise / bound, 0.0, 1.0) : 0.0;
   Eigen::Matrix3d project = Eigen::Matrix3d::Identity();
   project.topLeftCorner<2, 2>() -= (1.0 - kept) * weakest * weakest.transpose();
   hessian = project * hessian * project;

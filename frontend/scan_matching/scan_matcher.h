@@ -13,7 +13,7 @@ namespace gmapping_spa::scan_matching {
 struct MatchResult {
   bool success = false;        // whether the pose can be trusted
   backend::SE2 world_T_robot;  // the best pose found, trusted or not
-  double score = 0.0;          // in [0, 1], see EndpointModel::Score
+  double score = 0.0;          // in [0, 1]: what the matcher maximizes, see EndpointModel
 };
 
 // Implementations keep no state, so that threads can share one.
