@@ -23,6 +23,7 @@ struct Surface {
   double weight = 0.0;
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+  int often_hit = 0;  // cells that were hit eight times or more
 };
 
 inline Surface SurfaceAt(const map::OccupancyGrid& grid, const Eigen::Vector2d& point_m) {
@@ -34,6 +35,7 @@ inline Surface SurfaceAt(const map::OccupancyGrid& grid, const Eigen::Vector2d& 
     for (int at_y = y - 1; at_y <= y + 1; ++at_y) {
       const map::Cell& cell = grid.cell({at_x, at_y});
       if (!(cell.hits > 0.1 * cell.visits)) continue;
+      if (cell.hits >= 8) ++surface.often_hit;
       const Eigen::Vector2d hit = resolution_m * Eigen::Vector2d(at_x + cell.mean_x / 65536.0,
                                                                  at_y + cell.mean_y / 65536.0);
       const double d = (hit - point_m).norm() / (2.0 * resolution_m);
@@ -99,8 +101,9 @@ inline Reference NormalEquations(const map::OccupancyGrid& grid, const ScanPoint
     };
     const Surface surface = SurfaceAt(grid, end(Eigen::Vector3d::Zero()));
     if (surface.weight == 0.0) continue;
-    const Eigen::Vector2d normal =
+    Eigen::Vector2d normal =
         backend::SE2{0, 0, pose.theta} * Eigen::Vector2d(point.normal_x, point.normal_y);
+    if (surface.often_hit >= 2) normal.setZero();  // the map knows better
     const bool has_normal = normal.norm() > 0.5;
     if (!has_normal && surface.covariance.trace() < 2.5e-7) continue;  // a single hit
     Eigen::Matrix<double, 2, 3> jacobian;
