@@ -5,7 +5,7 @@
 
 A row a situation, a column a setting: the error of the position (median over the seeds, the worst in
 brackets), and how many seeds failed. Who failed: a run that ended with an error, and one whose error
-of position or heading is above the bound in situations_bounds.yaml. With wheel odometry errors of the
+of position or heading is above the bound in situations_bounds.yml. With wheel odometry errors of the
 wheels cannot be mended: there a bound holds only where the wheels are exact.
 """
 import argparse
@@ -22,7 +22,7 @@ from report.table import Shown, Table
 from study import StudyError, load_study
 from yaml_entry import read_yaml
 
-BOUNDS = pathlib.Path(__file__).resolve().parent / "situations_bounds.yaml"
+BOUNDS = pathlib.Path(__file__).resolve().parent / "situations_bounds.yml"
 
 
 def read_bounds(path: pathlib.Path, situations: list[str]) -> dict[str, tuple[float, float]]:

@@ -26,7 +26,8 @@ struct Picture {
 };
 
 Picture Draw(const LogSummary& summary) {
-  const std::string path = testing::TempDir() + "inspection_picture.png";
+  const std::string path = testing::TempDir() + "inspection_picture_" +
+                           testing::UnitTest::GetInstance()->current_test_info()->name() + ".png";
   WriteInspectionPicture(summary, path);
   cairo_surface_t* surface = cairo_image_surface_create_from_png(path.c_str());
   Picture picture{

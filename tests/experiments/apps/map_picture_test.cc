@@ -38,7 +38,8 @@ struct Picture {
 };
 
 Picture Draw(const TrinaryMap& map, const Trajectory& trajectory, const Stretches& stretches = {}) {
-  const std::string path = testing::TempDir() + "map_picture.png";
+  const std::string path = testing::TempDir() + "map_picture_" +
+                           testing::UnitTest::GetInstance()->current_test_info()->name() + ".png";
   WriteMapPicture(map, trajectory, path, stretches);
   cairo_surface_t* surface = cairo_image_surface_create_from_png(path.c_str());
   Picture picture{
