@@ -69,6 +69,9 @@ DEFINE_double(likelihood_sigma_m, kEndpoint.likelihood_sigma_m,
               "Standard deviation of a beam's end point in the likelihood.");
 DEFINE_double(likelihood_gain, kEndpoint.likelihood_gain,
               "Exponent of the likelihood of a scan: less than 1 as beams are not independent.");
+DEFINE_bool(unseen_is_miss, kEndpoint.unseen_is_miss,
+            "For the weights of particles, a beam that ends where no beam has been yet counts as one "
+            "that does not fit the map, as in GMapping; else as one that says nothing.");
 DEFINE_double(unmatched_sigmas, kEndpoint.unmatched_sigmas,
               "A beam that the map does not explain counts as this far off.");
 
@@ -171,7 +174,8 @@ scan_matching::EndpointModel::Options EndpointOptionsFromFlags() {
       .score_sigma_m = InRange("score_sigma_m", FLAGS_score_sigma_m, 1e-3, 100.0),
       .likelihood_sigma_m = InRange("likelihood_sigma_m", FLAGS_likelihood_sigma_m, 1e-3, 100.0),
       .unmatched_sigmas = InRange("unmatched_sigmas", FLAGS_unmatched_sigmas, 1e-3, 100.0),
-      .likelihood_gain = InRange("likelihood_gain", FLAGS_likelihood_gain, 1e-6, 1e6)};
+      .likelihood_gain = InRange("likelihood_gain", FLAGS_likelihood_gain, 1e-6, 1e6),
+      .unseen_is_miss = FLAGS_unseen_is_miss};
 }
 
 double OccupiedThresholdFromFlags() {

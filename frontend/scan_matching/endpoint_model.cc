@@ -38,6 +38,7 @@ EndpointModel::EndpointModel(const Options& options, const map::OccupancyGrid* g
   noise_cells_ = static_cast<float>(options.likelihood_sigma_m / resolution_m);
   likelihood_scale_ = -0.5 * options.likelihood_gain;
   max_squared_distance_ = static_cast<float>(std::pow(options.unmatched_sigmas, 2));
+  unseen_is_miss_ = options.unseen_is_miss;
 }
 
 double EndpointModel::Score(const backend::SE2& world_T_robot, double at_least) {
@@ -98,7 +99,7 @@ double EndpointModel::LogLikelihood(const backend::SE2& world_T_robot) {
     if (surface.Fit(*end.block, end.cell, end.x, end.y)) {
       const Eigen::Vector2f weighted = surface.Information(noise_cells_) * surface.offset;
       squared = std::min(squared, surface.offset.dot(weighted));
-    } else if (IsUnknown(end)) {
+    } else if (!unseen_is_miss_ && IsUnknown(end)) {
       squared = kExpectedSquaredDistance;
     }
     sum += squared;

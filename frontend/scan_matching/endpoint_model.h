@@ -47,6 +47,9 @@ class EndpointModel {
     // Exponent of the likelihood. Neighbouring beams see the same wall and the same error of the
     // map: their product would be too sure of itself.
     double likelihood_gain = 1.0 / 3.0;
+    // Whether a beam that ends in unseen space is one that does not fit, for the likelihood, as in
+    // GMapping.
+    bool unseen_is_miss = false;
   };
 
   // `grid` and `points` must outlive this and stay as they are.
@@ -94,6 +97,7 @@ class EndpointModel {
   double score_scale_;                  // the exponent per squared distance in cells
   float noise_cells_;
   float max_squared_distance_;
+  bool unseen_is_miss_;
   double likelihood_scale_;
 };
 
