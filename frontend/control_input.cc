@@ -80,6 +80,11 @@ void ControlInput::ReportMatch(const ScanMotion& motion, const OdometryCheck::St
     health_->Report("unmatched_scan", stamp_s, "a scan does not fit what was seen before");
     health_->Mark("lost", stamp_s);
   }
+  if (motion.new_piece_scans > 0) {
+    health_->Report("new_piece", stamp_s,
+                    "the scans do not fit what was seen before, but each other: lost; going on in "
+                    "a new piece of map until a loop closure joins it");
+  }
 }
 
 }  // namespace gmapping_spa::frontend

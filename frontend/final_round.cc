@@ -30,6 +30,7 @@ Estimate FinalRound::Finish(backend::PoseGraph path) {
     OptimizeAndReview(path, &graph);
   }
 
+  const std::vector<bool> is_drawn = DrawnScans(static_cast<int>(graph.nodes.size()));
   backend::Trajectory trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
   for (int round = 0; round < options_.refine; ++round) {
     if (round > 0) {
@@ -37,15 +38,35 @@ Estimate FinalRound::Finish(backend::PoseGraph path) {
       Optimize(path, &graph);
       trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
     }
-    RefineScans(&trajectory);
+    RefineScans(is_drawn, &trajectory);
     for (std::size_t node = 0; node < graph.nodes.size(); ++node) {
       graph.nodes[node].world_T_node = trajectory[RowOfNode(node)].world_T_robot;
     }
   }
 
   map::OccupancyGrid map(run_.grid);
-  for (int k = 0; k < run_.scans->size(); ++k) Register(k, trajectory, &map);
+  for (int k = 0; k < run_.scans->size(); ++k) {
+    if (is_drawn[k]) Register(k, trajectory, &map);
+  }
   return {std::move(graph), std::move(trajectory), std::move(map)};
+}
+
+// Of each scan whether it fits, and belongs to the largest pieces that are joined.
+std::vector<bool> FinalRound::DrawnScans(int nodes) const {
+  std::vector<bool> is_drawn(run_.scans->size(), true);
+  if (run_.pieces) {
+    const std::vector<bool> largest = run_.pieces->Largest(
+        nodes, run_.loop_closer ? run_.loop_closer->closures() : std::vector<backend::Edge>());
+    int node = 0;  // the last one up to the scan
+    for (int k = 0; k < run_.scans->size(); ++k) {
+      if (node + 1 < nodes && run_.node_scans->at(node + 1) <= k) ++node;
+      is_drawn[k] = largest[run_.pieces->PieceOf(node)];
+    }
+  }
+  for (int k = 0; run_.is_lost && k < run_.scans->size(); ++k) {
+    is_drawn[k] = is_drawn[k] && !(*run_.is_lost)[k];
+  }
+  return is_drawn;
 }
 
 // Optimizes the path with all closures, from the poses that `graph` has. They stay when the back
@@ -55,6 +76,7 @@ bool FinalRound::Optimize(const backend::PoseGraph& path, backend::PoseGraph* gr
   if (run_.loop_closer) {
     const std::vector<backend::Edge>& closures = run_.loop_closer->closures();
     graph->edges.insert(graph->edges.end(), closures.begin(), closures.end());
+    if (run_.pieces) run_.pieces->Arrange(closures, graph);
   }
   const std::optional<backend::PoseGraph> optimized = run_.optimize(*graph);
   if (!optimized || backend::PosesOf(*optimized) == backend::PosesOf(*graph)) return false;
@@ -75,12 +97,16 @@ void FinalRound::OptimizeAndReview(const backend::PoseGraph& path,
 
 // Aligns every scan with the map that the nodes' scans make: for the scans in between, a map made
 // of all others. That map is sharper than one of all scans, and made in a tenth of the time.
-void FinalRound::RefineScans(backend::Trajectory* trajectory) const {
+void FinalRound::RefineScans(const std::vector<bool>& is_drawn,
+                             backend::Trajectory* trajectory) const {
   const double m = options_.unrefined_sigma_m, rad = options_.unrefined_sigma_rad;
   const Eigen::Matrix3d prior = Eigen::Array3d(m, m, rad).square().inverse().matrix().asDiagonal();
   map::OccupancyGrid map(run_.grid);
-  for (const int position : *run_.node_scans) Register(position, *trajectory, &map);
+  for (const int position : *run_.node_scans) {
+    if (is_drawn[position]) Register(position, *trajectory, &map);
+  }
   for (int k = 0; k < run_.scans->size(); ++k) {
+    if (!is_drawn[k]) continue;
     const sensor::LaserScan scan = run_.scans->Get(k);
     const scan_matching::ScanPoints points = scan_matching::MakeScanPoints(scan);
     SE2& pose = (*trajectory)[rows_[k]].world_T_robot;
@@ -99,6 +125,7 @@ void FinalRound::MeasureAnew(const backend::Trajectory& trajectory,
                              backend::PoseGraph* path) const {
   const double m = options_.refined_sigma_m, rad = options_.refined_sigma_rad;
   for (backend::Edge& edge : path->edges) {
+    if (run_.pieces && run_.pieces->BeginsAt(static_cast<int>(edge.j))) continue;
     const auto pose = [&](std::int64_t node) { return trajectory[RowOfNode(node)].world_T_robot; };
     edge.i_T_j = Between(pose(edge.i), pose(edge.j));
     edge.information = Eigen::Array3d(m, m, rad).square().inverse().matrix().asDiagonal();

@@ -10,6 +10,7 @@
 #include "backend/pose_graph.h"
 #include "frontend/estimate.h"
 #include "frontend/loop_closure/loop_closer.h"
+#include "frontend/loop_closure/pieces.h"
 #include "frontend/map/occupancy_grid.h"
 #include "frontend/map/scan_registration.h"
 #include "frontend/scan_matching/gauss_newton.h"
@@ -44,6 +45,9 @@ class FinalRound {
     const ScanPoses* scan_poses;
     map::OccupancyGrid::Options grid;
     map::RegistrationOptions registration;
+    const loop_closure::Pieces* pieces = nullptr;  // null: the path is all one
+    // Of each scan whether it fits nothing, and is not drawn; null: none.
+    const std::vector<bool>* is_lost = nullptr;
     loop_closure::LoopCloser* loop_closer;  // null: no closures
     // The back end: nothing when it fails.
     std::function<std::optional<backend::PoseGraph>(const backend::PoseGraph&)> optimize;
@@ -51,14 +55,15 @@ class FinalRound {
 
   FinalRound(const Options& options, Run run);
 
-  // Closes loops everywhere, optimizes, refines, and makes the map from all scans. `path` is the
-  // graph without closures.
+  // Closes loops everywhere, optimizes, refines, and makes the map from all scans, those of the
+  // largest pieces that are joined. `path` is the graph without closures.
   Estimate Finish(backend::PoseGraph path);
 
  private:
+  std::vector<bool> DrawnScans(int nodes) const;
   bool Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
   void OptimizeAndReview(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
-  void RefineScans(backend::Trajectory* trajectory) const;
+  void RefineScans(const std::vector<bool>& is_drawn, backend::Trajectory* trajectory) const;
   void MeasureAnew(const backend::Trajectory& trajectory, backend::PoseGraph* path) const;
   sensor::LaserScan ScanOfNode(int node) const { return run_.scans->Get((*run_.node_scans)[node]); }
   std::size_t RowOfNode(std::int64_t node) const { return rows_[run_.node_scans->at(node)]; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace gmapping_spa::frontend {
@@ -26,30 +27,40 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
   const SE2& u = motion.motion;
   // What one scan does not decide becomes a step of its own, for particles to take apart.
   const bool ambiguous = !motion.alternatives.empty();
-  if (ambiguous && !scan_poses_.latest_is_update()) {
+  if (ambiguous && !scan_poses_.latest_is_update() && !is_lost_.back()) {
     scan_poses_.MakeUpdate();
-    UpdateFilter(archive_.Get(archive_.size() - 1),
-                 {{Between(odom_T_last_update_, odom_T_scan_)}});
+    UpdateFilter(archive_.Get(archive_.size() - 1), {{Between(odom_T_last_update_, odom_T_scan_)}});
   }
   counts_.searched += motion.searched ? 1 : 0;
+  const SE2 odom_T_before = odom_T_scan_;
   odom_T_scan_ = odom_T_scan_ * u;
   area_.Extend(scan, odom_T_scan_);
   archive_.Add(scan);
+  is_lost_.push_back(!motion.matched);
   ++counts_.scans;
 
   // Steps 4' and 6: what the graph thread has found out corrects the particles.
   if (const auto optimized = graph_thread_.Advance()) TakeOver(*optimized);
 
-  const bool is_update = UpdateIsDue(u) || ambiguous;
+  const bool is_update = (UpdateIsDue(u) || ambiguous) && motion.matched;
   // In units of what triggers an update; the 1e-9 spreads by number of scans if nothing moved.
   const double amount = u.translation().norm() / std::max(options_.linear_update_m, 1e-3) +
                         std::abs(u.theta) / std::max(options_.angular_update_rad, 1e-3) + 1e-9;
+  if (motion.new_piece_scans > 0) {
+    scan_poses_.Add(scan, odom_T_scan_, amount, false);
+    BeginPiece(motion.new_piece_scans);
+    return;
+  }
   scan_poses_.Add(scan, odom_T_scan_, amount, is_update);
   if (!is_update) return;
 
   // Steps 2 to 5 and 7 to 10: scan matching, sampling, weights, maps and resampling.
   if (ambiguous) {
-    UpdateFilter(scan, motion.alternatives);
+    std::vector<ParticleFilter::Control> controls = motion.alternatives;
+    // Not from the last update where the scan before it was lost.
+    const SE2 up_to_here = Between(odom_T_last_update_, odom_T_before);
+    for (ParticleFilter::Control& control : controls) control.motion = up_to_here * control.motion;
+    UpdateFilter(scan, controls);
   } else {
     UpdateFilter(scan, {{Between(odom_T_last_update_, odom_T_scan_)}});
   }
@@ -57,6 +68,27 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
   // Step 3': the pose graph with its closed-loop constraints goes to the graph thread.
   if (options_.close_loops) CloseLoops();
   StartOptimization();
+}
+
+// The node of the piece is its first scan: what came before belongs to the piece before.
+void ImprovedGmapping::BeginPiece(int scans) {
+  scan_poses_.BeginPiece(scans - 1);
+  const int first = archive_.size() - scans;
+  const SE2 odom_T_first = scan_poses_.OdometryOf(scans - 1);
+  filter_.BeginPiece(archive_.Get(first), Between(odom_T_last_update_, odom_T_first));
+  loop_closer_.BeginPiece(static_cast<int>(node_scans_.size()));
+  node_scans_.push_back(first);
+  std::fill(is_lost_.begin() + first, is_lost_.end(), false);
+  is_drawn_.assign(loop_closer_.pieces().size(), false);
+  is_drawn_.back() = true;
+  filter_.ForgetMapHistory();
+  ++counts_.updates;
+  ++counts_.pieces;
+  ++updates_since_optimization_;
+  odom_T_last_update_ = odom_T_first;
+  const SE2 since = Between(odom_T_first, odom_T_scan_);
+  linear_since_update_m_ = since.translation().norm();
+  angular_since_update_rad_ = std::abs(since.theta);
 }
 
 bool ImprovedGmapping::UpdateIsDue(const SE2& u) {
@@ -103,7 +135,10 @@ void ImprovedGmapping::StartOptimization() {
   backend::PoseGraphRecorder recorder;
   EmitGraph(&recorder);
   world_T_nodes_before_ = backend::PosesOf(recorder.graph());
-  graph_thread_.Start(recorder.graph());
+  closures_before_ = loop_closer_.closures();
+  backend::PoseGraph graph = recorder.graph();
+  loop_closer_.pieces().Arrange(closures_before_, &graph);
+  graph_thread_.Start(std::move(graph));
 }
 
 // Eq. (14). Poses that came in since the optimization started move with its last one.
@@ -115,7 +150,33 @@ void ImprovedGmapping::TakeOver(const backend::PoseGraph& optimized) {
   if (options_.correction == Correction::kPose) {
     filter_.CorrectCurrentPoses(correction);
   } else {
-    filter_.CorrectHistories(correction, [this](int node) { return ScanOfNode(node); });
+    const int latest = static_cast<int>(node_scans_.size()) - 1;
+    std::vector<bool> is_drawn = loop_closer_.pieces().JoinedWith(latest, closures_before_);
+    if (is_drawn != is_drawn_) filter_.ForgetMapHistory();
+    is_drawn_ = std::move(is_drawn);
+    filter_.CorrectHistories(correction, [this](int node) { return DrawnScanOfNode(node); });
+  }
+}
+
+// Nothing is drawn over a map that it is not joined with.
+sensor::LaserScan ImprovedGmapping::DrawnScanOfNode(int node) const {
+  sensor::LaserScan scan = ScanOfNode(node);
+  if (!is_drawn_[loop_closer_.pieces().PieceOf(node)]) scan.beams.clear();
+  return scan;
+}
+
+void ImprovedGmapping::ReportPieces(const std::vector<bool>& is_drawn) {
+  const loop_closure::Pieces& pieces = loop_closer_.pieces();
+  for (int piece = 0; piece < pieces.size(); ++piece) {
+    if (is_drawn[piece]) continue;
+    const int first = node_scans_[pieces.FirstNode(piece)];
+    const int end =
+        piece + 1 < pieces.size() ? node_scans_[pieces.FirstNode(piece + 1)] : archive_.size();
+    health_.Report("piece_not_joined", archive_.StampOf(first),
+                   "a piece of " + std::to_string(end - first) +
+                       " scans was never joined with the map: it is not drawn, and where the robot "
+                       "was then is not known");
+    for (int k = first; k < end; ++k) health_.Mark("lost", archive_.StampOf(k));
   }
 }
 
@@ -152,7 +213,12 @@ Estimate ImprovedGmapping::CurrentEstimate() const {
 
 Estimate ImprovedGmapping::Finish() {
   if (const auto optimized = graph_thread_.Finish()) TakeOver(*optimized);
-  if (!options_.make_final_round) return CurrentEstimate();
+  const int nodes = static_cast<int>(node_scans_.size());
+  const loop_closure::Pieces& pieces = loop_closer_.pieces();
+  if (!options_.make_final_round) {
+    ReportPieces(is_drawn_);
+    return CurrentEstimate();
+  }
   FinalRound final_round(
       options_.final_round,
       {.scans = &archive_,
@@ -160,11 +226,15 @@ Estimate ImprovedGmapping::Finish() {
        .scan_poses = &scan_poses_,
        .grid = options_.filter.grid,
        .registration = options_.filter.registration,
+       .pieces = &pieces,
+       .is_lost = &is_lost_,
        .loop_closer = options_.close_loops ? &loop_closer_ : nullptr,
        .optimize = [this](const backend::PoseGraph& graph) { return graph_thread_.Run(graph); }});
   backend::PoseGraphRecorder path;
   EmitPath(&path);
-  return final_round.Finish(path.graph());
+  Estimate estimate = final_round.Finish(path.graph());
+  ReportPieces(pieces.Largest(nodes, loop_closer_.closures()));
+  return estimate;
 }
 
 }  // namespace gmapping_spa::frontend

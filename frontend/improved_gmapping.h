@@ -60,6 +60,7 @@ class ImprovedGmapping {
     std::int64_t resamplings = 0;
     std::int64_t failed_matches = 0;  // summed over particles
     std::int64_t corrections = 0;
+    std::int64_t pieces = 1;    // of the map: one more each time the robot was lost
     std::int64_t searched = 0;  // scans for which a window was searched
   };
 
@@ -88,10 +89,13 @@ class ImprovedGmapping {
   const Health& health() const { return health_; }
 
  private:
+  void BeginPiece(int scans);
   bool UpdateIsDue(const backend::SE2& u);
   void TakeOver(const backend::PoseGraph& optimized);
   void UpdateFilter(const sensor::LaserScan& scan,
                     const std::vector<particle_filter::ParticleFilter::Control>& controls);
+  sensor::LaserScan DrawnScanOfNode(int node) const;
+  void ReportPieces(const std::vector<bool>& is_drawn);
   void CloseLoops();
   void StartOptimization();
   void EmitPath(backend::PoseGraphSink* sink) const;
@@ -109,14 +113,17 @@ class ImprovedGmapping {
   sensor::ScanArchive archive_;
   std::vector<int> node_scans_;  // positions of the nodes' scans in the archive
   ScanPoses scan_poses_;
+  std::vector<bool> is_lost_;  // of each scan in the archive: fits nothing, and is not drawn
 
-  backend::SE2 odom_T_scan_;         // the control inputs so far
+  backend::SE2 odom_T_scan_;  // the control inputs so far
   backend::SE2 odom_T_last_update_;
   double linear_since_update_m_ = 0.0;
   double angular_since_update_rad_ = 0.0;
   int updates_since_optimization_ = 0;
   bool closure_waits_ = false;                      // for an optimization
   std::vector<backend::SE2> world_T_nodes_before_;  // of the optimization that runs
+  std::vector<backend::Edge> closures_before_;      // that it knows
+  std::vector<bool> is_drawn_ = {true};  // of each piece whether the particles' maps hold it
   Counts counts_;
 };
 

@@ -20,7 +20,7 @@ constexpr double kMinUsualFit = 0.3;
 // Time between scans, s: stamps jitter, and are lost for long.
 constexpr double kMinDuration_s = 0.02;
 constexpr double kMaxDuration_s = 1.0;
-constexpr double kMaxRatio = 2.0;  // of the times of two scans in succession
+constexpr double kMaxRatio = 2.0;   // of the times of two scans in succession
 constexpr double kMaxChange = 3.0;  // of the motion from scan to scan, in standard deviations
 
 // Squared standard deviations by which a motion may differ from a guess that it agrees with.
@@ -43,9 +43,9 @@ constexpr double kSame_rad = 0.05;
 // Of beams in doubt: fewer that do not fit prove nothing.
 constexpr double kFewBeams = 4.0;
 
-// A scan that fits less than this part of what recent scans did does not fit at all.
-constexpr double kLostBelow = 0.4;
-constexpr int kGiveUpScans = 20;  // in a row
+// Parts of the usual fit.
+constexpr double kLostBelow = 0.5;
+constexpr double kBackAbove = 0.75;
 
 constexpr int kScansToKnowVelocity = 3;
 
@@ -74,13 +74,13 @@ ScanOdometry::ScanOdometry(const Options& options)
 
 ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
                                  const sensor::OdometryCheck::Step& wheels) {
+  ++new_piece_scans_;
   if (map_.empty()) {
     map_.Enter(scan, odom_T_robot_);
     stamp_s_ = scan.stamp_s;
     return {};
   }
-  const double duration_s =
-      std::clamp(scan.stamp_s - stamp_s_, kMinDuration_s, kMaxDuration_s);
+  const double duration_s = std::clamp(scan.stamp_s - stamp_s_, kMinDuration_s, kMaxDuration_s);
   stamp_s_ = scan.stamp_s;
   usual_duration_s_ += kForgetting * (duration_s - usual_duration_s_);
   const SE2 before = odom_T_robot_;
@@ -89,6 +89,7 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
     odom_T_robot_ = before * wheels.motion;
     result.motion = wheels.motion;
     result.matched = false;
+    if (new_piece_) new_piece_->Advance(scan, wheels);
     return result;
   }
 
@@ -119,12 +120,12 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
     }
   }
   const Match& best = matches.front();
-  unmatched_scans_ = IsMatched(best) ? 0 : unmatched_scans_ + 1;
+  if (IsLost(best)) return GoOnLost(scan, wheels, guess);
+  new_piece_.reset();
   Learn(best, duration_s);
   odom_T_robot_ = best.odom_T_robot;
   result.motion = Between(before, odom_T_robot_);
-  result.wheels_rejected =
-      prior.hypotheses().front().SquaredDistance(result.motion) > kAgrees;
+  result.wheels_rejected = prior.hypotheses().front().SquaredDistance(result.motion) > kAgrees;
   if (guess) {
     wheel_trust_.Learn(result.motion, prior.hypotheses().front());
   } else {
@@ -132,7 +133,6 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
   }
   result.wheels_silent = wheel_trust_.silent() && Moves(result.motion);
   result.wheels_late = guess && wheel_trust_.late();
-  result.matched = IsMatched(best);
   double sum = 0.0;
   for (const Match& match : matches) {
     const double nats = match.log_posterior - best.log_posterior;
@@ -143,20 +143,24 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
   if (result.alternatives.size() == 1) result.alternatives.clear();
   for (auto& alternative : result.alternatives) alternative.probability /= sum;
 
-  // A map must not hold both sides of a step that may be wrong; and where nothing fits any more, the
-  // robot is not where the map is.
-  if (!result.alternatives.empty() || unmatched_scans_ >= kGiveUpScans) {
-    map_.Clear();
-    unmatched_scans_ = 0;
-  }
+  // A map must not hold both sides of a step that may be wrong.
+  if (!result.alternatives.empty()) map_.Clear();
   const SE2 since_entered = Between(odom_T_entered_, odom_T_robot_);
   const bool moved_on = since_entered.translation().norm() > options_.enter_m ||
                         std::abs(since_entered.theta) > options_.enter_rad;
-  if (map_.empty() || (moved_on && result.matched)) {
+  if (map_.empty() || moved_on) {
     odom_T_entered_ = odom_T_robot_;
     map_.Enter(scan, odom_T_robot_);
   }
   return result;
+}
+
+// A place that changes, or a bad scan, explains less than usual; another place explains next to
+// nothing. Who is lost believes to be back no sooner than a scan fits nearly as well as usual.
+bool ScanOdometry::IsLost(const Match& best) const {
+  const scan_matching::Evidence& e = best.evidence;
+  if (new_piece_) return e.known() < kFewBeams || e.Fit() < kBackAbove * usual_fit_;
+  return usual_fit_ * e.known() - e.explained > kFewBeams && e.Fit() < kLostBelow * usual_fit_;
 }
 
 // Loggers may stamp scans when they write them, several at once: times are taken with a pinch of
@@ -226,11 +230,6 @@ double ScanOdometry::Nats(const Match& match, double least_unknown) const {
   return kNatsPerBeam * (e.explained - usual_fit_ * (e.known() + unexpected));
 }
 
-// Whether the scan has anything to do with the map.
-bool ScanOdometry::IsMatched(const Match& match) const {
-  return match.evidence.known() < kFewBeams || match.evidence.Fit() > kLostBelow * usual_fit_;
-}
-
 // Sorts by the posterior and leaves out what is the same.
 void ScanOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) const {
   double least_unknown = 1e9;
@@ -257,7 +256,7 @@ void ScanOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) c
 
 void ScanOdometry::Learn(const Match& match, double duration_s) {
   ++scans_;
-  if (match.evidence.known() > 0.0 && IsMatched(match)) {
+  if (match.evidence.known() > 0.0) {
     usual_fit_ += kForgetting * (match.evidence.Fit() - usual_fit_);
     usual_fit_ = std::max(usual_fit_, kMinUsualFit);
   }
@@ -265,8 +264,8 @@ void ScanOdometry::Learn(const Match& match, double duration_s) {
   const Eigen::Vector3d motion =
       backend::Log(Between(odom_T_robot_, match.odom_T_robot)) / DurationRatio(duration_s);
   const double square_s2 = usual_duration_s_ * usual_duration_s_;
-  const double m = kMaxChange * (options_.prior.velocity_floor_m +
-                                 options_.prior.acceleration_m_s2 * square_s2);
+  const double m =
+      kMaxChange * (options_.prior.velocity_floor_m + options_.prior.acceleration_m_s2 * square_s2);
   const double rad = kMaxChange * (options_.prior.velocity_floor_rad +
                                    options_.prior.angular_acceleration_rad_s2 * square_s2);
   const Eigen::Array3d limit(m, m, rad);

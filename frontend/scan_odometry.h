@@ -3,6 +3,7 @@
 #define GMAPPING_SPA_FRONTEND_SCAN_ODOMETRY_H_
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct ScanMotion {
   bool wheels_silent = false;    // whether the wheels stand still while the robot moves
   bool wheels_late = false;      // whether the wheels tell motions later than the scans
   bool matched = true;           // whether the scan fits what was seen before
+  // Where the robot was lost, and the last scans fit each other: so many, this one included, are
+  // the begin of a new piece of map; how it lies to what was before is not known. Else zero.
+  int new_piece_scans = 0;
 };
 
 // Matches scans with a local map of its own, in its own frame. A particle's map would hold the
@@ -50,6 +54,9 @@ class ScanOdometry {
     int map_scans = 80;
     // A match that fits less than this part of what recent scans did is looked into.
     double doubt_below = 0.85;
+    // A robot whose scans fit nothing before, but each other, for so long begins a new piece.
+    double new_piece_s = 1.0;
+    int new_piece_scans = 5;
   };
 
   explicit ScanOdometry(const Options& options);
@@ -65,14 +72,15 @@ class ScanOdometry {
     double log_posterior = 0.0;  // up to a constant
   };
 
+  bool IsLost(const Match& best) const;
+  ScanMotion GoOnLost(const sensor::LaserScan& scan, const sensor::OdometryCheck::Step& wheels,
+                      const std::optional<WheelMotion>& guess);
   double DurationRatio(double duration_s) const;
   MotionPrior MakePrior(const std::optional<WheelMotion>& wheels, double duration_s) const;
   Match Track(const backend::SE2& initial, const MotionHypothesis& hypothesis) const;
-  std::vector<Match> Search(const backend::SE2& centre,
-                            const scan_matching::SearchWindow& window);
+  std::vector<Match> Search(const backend::SE2& centre, const scan_matching::SearchWindow& window);
   bool IsConvincing(const Match& match, const MotionPrior& prior) const;
   double Nats(const Match& match, double least_unknown) const;
-  bool IsMatched(const Match& match) const;
   void Rank(const MotionPrior& prior, std::vector<Match>* matches) const;
   void Learn(const Match& match, double duration_s);
 
@@ -85,10 +93,13 @@ class ScanOdometry {
   double stamp_s_ = 0.0;
   Eigen::Vector3d usual_motion_ = Eigen::Vector3d::Zero();  // a twist, running mean of few scans
   double usual_duration_s_ = 0.1;                           // running mean
-  double usual_fit_ = 0.6;                              // running mean
+  double usual_fit_ = 0.6;                                  // running mean
   WheelTrust wheel_trust_;
-  int scans_ = 0;            // seen
-  int unmatched_scans_ = 0;  // in a row
+  int scans_ = 0;  // seen
+  // Of a robot that is lost: what its scans say to each other.
+  std::unique_ptr<ScanOdometry> new_piece_;
+  double new_piece_begin_s_ = 0.0;  // stamp of its first scan
+  int new_piece_scans_ = 0;         // since then
 };
 
 }  // namespace gmapping_spa::frontend

@@ -15,6 +15,14 @@ void ScanPoses::Add(const sensor::LaserScan& scan, const SE2& odom_T_robot, doub
   entries_.push_back({scan.index, scan.stamp_s, odom_T_robot, motion, is_update});
 }
 
+void ScanPoses::BeginPiece(int scans_back) {
+  CHECK_LT(scans_back + 1, static_cast<int>(entries_.size()));
+  const auto first = entries_.end() - 1 - scans_back;
+  CHECK(std::none_of(first, entries_.end(), [](const Entry& entry) { return entry.is_update; }));
+  first->is_update = true;
+  first->begins_piece = true;
+}
+
 backend::Trajectory ScanPoses::Fill(const std::vector<SE2>& world_T_updates) const {
   std::vector<std::pair<std::int64_t, backend::StampedPose>> by_index;
   std::size_t update = 0;
@@ -26,7 +34,7 @@ backend::Trajectory ScanPoses::Fill(const std::vector<SE2>& world_T_updates) con
     const SE2 world_T_odom = world_T_updates[update] * Inverse(entries_[begin].odom_T_robot);
     SE2 correction{0, 0, 0};  // of the odometry's prediction, x, y and theta apart
     double total_motion = 0.0;
-    if (end < entries_.size()) {
+    if (end < entries_.size() && !entries_[end].begins_piece) {
       const SE2 predicted = world_T_odom * entries_[end].odom_T_robot;
       const SE2& updated = world_T_updates[update + 1];
       correction = {updated.x - predicted.x, updated.y - predicted.y,

@@ -26,6 +26,14 @@ class ScanPoses {
   void MakeUpdate() { entries_.back().is_update = true; }
   bool latest_is_update() const { return !entries_.empty() && entries_.back().is_update; }
 
+  // Says later that the filter was updated with the scan added so many before the latest one, and
+  // that nothing is known of the motion up to it: it corrects no scan before. There must be no
+  // update since.
+  void BeginPiece(int scans_back);
+  const backend::SE2& OdometryOf(int scans_back) const {
+    return entries_[entries_.size() - 1 - scans_back].odom_T_robot;
+  }
+
   // Poses of all scans in the order of the input, given those at the updates.
   backend::Trajectory Fill(const std::vector<backend::SE2>& world_T_updates) const;
 
@@ -36,6 +44,7 @@ class ScanPoses {
     backend::SE2 odom_T_robot;
     double motion = 0.0;
     bool is_update = false;
+    bool begins_piece = false;
   };
   std::vector<Entry> entries_;
 };

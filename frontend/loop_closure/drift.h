@@ -27,6 +27,10 @@ struct DriftModel {
   double SquaredDistance(const backend::SE2& discrepancy, double way_m) const;
 };
 
+// Stands for the way between two pieces of the path that nothing is known between: after so long a
+// way drift explains any pose. Longer than any way driven.
+inline constexpr double kUnknownWay_m = 1e7;
+
 // Way driven from node 0 up to each node.
 std::vector<double> WaysDriven(const std::vector<backend::SE2>& world_T_nodes);
 

@@ -78,13 +78,17 @@ bool GlobalCloser::IsSettled(const Call& call, int node) const {
 
 void GlobalCloser::Search(const Call& call, int place) {
   const int node = places_.NodeOf(place);
-  if (IsSettled(call, node)) return;
-  searched_[place] = true;
   const std::vector<double>& ways_driven = call.path.ways_driven_m;
+  // However well it knows its surroundings, a piece of the path looks for those that it is not
+  // joined with.
+  const bool is_settled = IsSettled(call, node);
+  if (is_settled && ways_driven[node] < kUnknownWay_m) return;
+  searched_[place] = true;
   if (ways_driven[node] < options_.min_way_m) return;
   const std::vector<double> ways = ShortestWays(ways_driven, call.closures, node);
+  const double min_way_m = is_settled ? kUnknownWay_m : options_.min_way_m;
   for (const PlaceMatch& match :
-       places_.Find(place, ways_driven, [&](int old) { return ways[old] >= options_.min_way_m; })) {
+       places_.Find(place, ways_driven, [&](int old) { return ways[old] >= min_way_m; })) {
     if (IsExplained(call, node, match)) continue;
     const std::vector<SE2>& poses = call.path.world_T_nodes;
     const Candidate candidate{match.old_node, ways[match.old_node],

@@ -14,8 +14,9 @@ LoopCloser::LoopCloser(const Options& options)
       verifier_(options.verifier, options.drift, options.candidates),
       global_(options.global, verifier_, options.drift, options.candidates) {}
 
-int LoopCloser::Update(const std::vector<SE2>& world_T_nodes, const ScanOfNode& scan_of_node) {
-  const std::vector<double> ways_driven = WaysDriven(world_T_nodes);
+int LoopCloser::Update(const std::vector<SE2>& estimate, const ScanOfNode& scan_of_node) {
+  const std::vector<double> ways_driven = WaysAcrossPieces(estimate);
+  const std::vector<SE2> world_T_nodes = InSight(estimate);
   int accepted = 0;
   if (options_.search_everywhere) {
     accepted +=
@@ -32,8 +33,9 @@ int LoopCloser::Update(const std::vector<SE2>& world_T_nodes, const ScanOfNode& 
   return accepted + Attempt(world_T_nodes, ways_driven, scan_of_node, node);
 }
 
-int LoopCloser::UpdateAll(const std::vector<SE2>& world_T_nodes, const ScanOfNode& scan_of_node) {
-  const std::vector<double> ways_driven = WaysDriven(world_T_nodes);
+int LoopCloser::UpdateAll(const std::vector<SE2>& estimate, const ScanOfNode& scan_of_node) {
+  const std::vector<double> ways_driven = WaysAcrossPieces(estimate);
+  const std::vector<SE2> world_T_nodes = InSight(estimate);
   double last_attempt_m = -options_.attempt_every_m;
   int accepted = 0;
   for (int node = 0; node < static_cast<int>(world_T_nodes.size()); ++node) {
@@ -46,6 +48,27 @@ int LoopCloser::UpdateAll(const std::vector<SE2>& world_T_nodes, const ScanOfNod
         Follow(global_.Finish({world_T_nodes, ways_driven}, scan_of_node, closures_, &records_));
   }
   return accepted;
+}
+
+std::vector<double> LoopCloser::WaysAcrossPieces(const std::vector<SE2>& world_T_nodes) const {
+  std::vector<double> ways = WaysDriven(world_T_nodes);
+  for (int piece = 1; piece < pieces_.size(); ++piece) {
+    const int first = pieces_.FirstNode(piece);
+    // The same however corrections move the pieces.
+    const double more_m = kUnknownWay_m - (ways[first] - ways[first - 1]);
+    for (std::size_t k = first; k < ways.size(); ++k) ways[k] += more_m;
+  }
+  return ways;
+}
+
+// Poses of which those are near each other that are known to be.
+std::vector<SE2> LoopCloser::InSight(const std::vector<SE2>& world_T_nodes) const {
+  std::vector<SE2> poses = world_T_nodes;
+  if (pieces_.size() > 1) {
+    pieces_.Arrange(closures_, &poses);
+    pieces_.Separate(closures_, &poses);
+  }
+  return poses;
 }
 
 int LoopCloser::Follow(const GlobalCloser::Decisions& decisions) {

@@ -10,6 +10,7 @@
 #include "frontend/loop_closure/drift.h"
 #include "frontend/loop_closure/global_closing.h"
 #include "frontend/loop_closure/local_map.h"
+#include "frontend/loop_closure/pieces.h"
 #include "frontend/loop_closure/verification.h"
 
 namespace gmapping_spa::loop_closure {
@@ -36,13 +37,20 @@ class LoopCloser {
 
   explicit LoopCloser(const Options& options);
 
+  // Nothing is known of the motion to this node, later than all before, from the one before it:
+  // only the look of places can join what comes now with what was.
+  void BeginPiece(int node) { pieces_.Begin(node); }
+  const Pieces& pieces() const { return pieces_; }
+
+  // `estimate`: world_T_node of all nodes.
+  //
   // Looks for closures of the node that the path has left behind by the reach of the verifier's
   // scans: at most one node a call. Returns the number of closures that are newly
   // accepted or released.
-  int Update(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node);
+  int Update(const std::vector<backend::SE2>& estimate, const ScanOfNode& scan_of_node);
 
   // Looks for closures of all nodes, with what is known by now.
-  int UpdateAll(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node);
+  int UpdateAll(const std::vector<backend::SE2>& estimate, const ScanOfNode& scan_of_node);
 
   // Releases those accepted closures that an optimized graph with all of them contradicts most, and
   // accepts those released that it agrees with. Returns the number of both: optimize anew, unless
@@ -60,6 +68,8 @@ class LoopCloser {
               const std::vector<double>& ways_driven, const ScanOfNode& scan_of_node, int node);
   int Confirm(const std::vector<backend::SE2>& world_T_nodes,
               const std::vector<double>& ways_driven, std::size_t newest);
+  std::vector<double> WaysAcrossPieces(const std::vector<backend::SE2>& world_T_nodes) const;
+  std::vector<backend::SE2> InSight(const std::vector<backend::SE2>& world_T_nodes) const;
   int Follow(const GlobalCloser::Decisions& decisions);
   bool IsClosed(const ClosureRecord& record) const;
   void Accept(std::size_t position);
@@ -68,6 +78,7 @@ class LoopCloser {
   Options options_;
   Verifier verifier_;
   GlobalCloser global_;
+  Pieces pieces_;
   std::vector<std::size_t> accepted_;  // positions in records_ of closures_
   std::vector<backend::Edge> closures_;
   std::vector<ClosureRecord> records_;

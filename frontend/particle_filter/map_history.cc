@@ -51,6 +51,11 @@ void MapHistory::DropSnapshotsThatMoved(const std::vector<SE2>& trunk) {
   entered_.resize(snapshots_.empty() ? 0 : snapshots_.back().steps);
 }
 
+void MapHistory::Forget() {
+  snapshots_.clear();
+  entered_.clear();
+}
+
 std::vector<map::OccupancyGrid> MapHistory::Rebuild(const TrajectoryTree& tree,
                                                     const std::vector<Index>& leaves,
                                                     const ScanOfStep& scan_of_step) {

@@ -30,6 +30,9 @@ class MapHistory {
   MapHistory(const Options& options, const map::OccupancyGrid::Options& grid,
              const map::RegistrationOptions& registration);
 
+  // Forgets the snapshots: the scans are other ones from now on.
+  void Forget();
+
   // Maps of the leaves, in their order.
   std::vector<map::OccupancyGrid> Rebuild(const TrajectoryTree& tree,
                                           const std::vector<TrajectoryTree::Index>& leaves,

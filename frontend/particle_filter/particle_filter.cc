@@ -22,6 +22,10 @@ using backend::SE2;
 constexpr std::uint32_t kMoveStream = 1;
 constexpr std::uint32_t kResampleStream = 2;
 
+// Standard deviations of a motion of which nothing is known: enough to keep a graph in one piece.
+constexpr double kUnknown_m = 1e3;
+constexpr double kUnknown_rad = 1e2;
+
 // Adds the wall-clock time of its life to a sum.
 class Stopwatch {
  public:
@@ -89,6 +93,20 @@ ParticleFilter::Update ParticleFilter::Advance(const sensor::LaserScan& scan,
     Duplicate(ancestors);
   }
   return update;
+}
+
+void ParticleFilter::BeginPiece(const sensor::LaserScan& scan, const SE2& guess) {
+  CHECK(!particles_.empty()) << "Start comes first";
+  ++step_;
+  const Eigen::Matrix3d next_to_nothing =
+      Eigen::Array3d(kUnknown_m, kUnknown_m, kUnknown_rad).square().inverse().matrix().asDiagonal();
+  for (Particle& particle : particles_) {
+    particle.world_T_robot = particle.world_T_robot * guess;
+    particle.motion = {.previous_T_robot = guess, .information = next_to_nothing};
+    particle.leaf = tree_.Append(particle.leaf, particle.world_T_robot, particle.motion);
+    particle.map = map::OccupancyGrid(options_.grid);
+    map::RegisterScan(scan, particle.world_T_robot, options_.registration, &particle.map);
+  }
 }
 
 // Samples the new pose of a particle and weights it.

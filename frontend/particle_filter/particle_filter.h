@@ -72,6 +72,10 @@ class ParticleFilter {
   // proportion to their probabilities, which add up to 1: the scans to come decide.
   Update Advance(const sensor::LaserScan& scan, const std::vector<Control>& controls);
 
+  // One step of which nothing is known: `guess` is where the particles go on, each with a map of
+  // this scan alone. The edge of the graph says next to nothing.
+  void BeginPiece(const sensor::LaserScan& scan, const backend::SE2& guess);
+
   // Index of the particle whose whole path explains the scans best.
   int BestParticle() const;
   const std::vector<Particle>& particles() const { return particles_; }
@@ -86,6 +90,9 @@ class ParticleFilter {
   // correction is the same for all particles, but for what they differ in.
   void CorrectHistories(const PathCorrection& correction,
                         const MapHistory::ScanOfStep& scan_of_step);
+
+  // Call this before a correction for which `scan_of_step` gives other scans than before.
+  void ForgetMapHistory() { map_history_.Forget(); }
 
   const Times& times() const { return times_; }
 

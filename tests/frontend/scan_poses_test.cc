@@ -113,5 +113,17 @@ TEST(ScanPosesDeathTest, EveryUpdateNeedsItsPose) {
   EXPECT_DEATH(poses.Fill({{}, {}}), "");
 }
 
+TEST(ScanPoses, ThatLieBeforeAPieceAreNotCorrectedByIt) {
+  ScanPoses poses;
+  for (int i = 0; i < 8; ++i) Add(i, {1.0 * i, 0, 0}, 1.0, i == 0, &poses);
+  poses.BeginPiece(2);
+  Add(8, {8, 0, 0}, 1.0, true, &poses);
+  const backend::Trajectory trajectory = poses.Fill({{0, 0, 0}, {50, 30, 0}, {53.2, 30, 0}});
+  for (int i = 0; i < 5; ++i) ExpectNear(trajectory[i].world_T_robot, {1.0 * i, 0, 0});
+  ExpectNear(trajectory[5].world_T_robot, {50, 30, 0});
+  EXPECT_GT(trajectory[6].world_T_robot.x, 51.0);  // the correction within the piece is spread
+  ExpectNear(trajectory[8].world_T_robot, {53.2, 30, 0});
+}
+
 }  // namespace
 }  // namespace gmapping_spa::frontend

@@ -1,0 +1,45 @@
+// What a robot does whose scans fit nothing that it has seen before.
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "frontend/scan_odometry.h"
+
+namespace gmapping_spa::frontend {
+
+// The map stays as it is, for the case that the robot is seen to be where the wheels say.
+ScanMotion ScanOdometry::GoOnLost(const sensor::LaserScan& scan,
+                                  const sensor::OdometryCheck::Step& wheels,
+                                  const std::optional<WheelMotion>& guess) {
+  ScanMotion result;
+  result.matched = false;
+  if (guess) result.motion = guess->motion;
+  const ScanMotion found = new_piece_ ? new_piece_->Advance(scan, wheels) : result;
+  if (found.matched) {
+    // A covered laser fits itself however the robot moves: the wheels go first.
+    if (!guess) result.motion = found.motion;
+  } else {
+    new_piece_ = std::make_unique<ScanOdometry>(options_);
+    new_piece_->scans_ = scans_;
+    new_piece_->usual_motion_ = usual_motion_;
+    new_piece_->usual_duration_s_ = usual_duration_s_;
+    new_piece_->usual_fit_ = usual_fit_;
+    new_piece_->wheel_trust_ = wheel_trust_;
+    new_piece_->Advance(scan, wheels);
+    new_piece_begin_s_ = scan.stamp_s;
+    new_piece_scans_ = 1;
+  }
+  if (new_piece_scans_ >= options_.new_piece_scans &&
+      scan.stamp_s - new_piece_begin_s_ >= options_.new_piece_s) {
+    result.matched = true;
+    result.new_piece_scans = new_piece_scans_;
+    const std::unique_ptr<ScanOdometry> piece = std::move(new_piece_);
+    *this = std::move(*piece);
+    return result;
+  }
+  odom_T_robot_ = odom_T_robot_ * result.motion;
+  wheel_trust_.Learn(result.motion);
+  return result;
+}
+
+}  // namespace gmapping_spa::frontend

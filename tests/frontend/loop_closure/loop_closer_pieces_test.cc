@@ -1,0 +1,63 @@
+// A robot that was carried to elsewhere: loop closing joins the new piece of the path.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "frontend/loop_closure/loop_closer.h"
+#include "tests/frontend/loop_closure/hall.h"
+#include "tests/frontend/loop_closure/loop_world.h"
+
+namespace gmapping_spa::loop_closure {
+namespace {
+
+using backend::SE2;
+
+class CarriedRobot : public testing::Test {
+ protected:
+  // Round the Hall; then in `walls` from 70 m on, where the estimate goes on from where it was.
+  void Drive(const synthetic::Walls& walls) {
+    const std::vector<SE2> there = synthetic::DriveOnRing(0, 46, 1.0);
+    const std::vector<SE2> then = synthetic::DriveOnRing(70, 105, 1.0);
+    estimate_ = truth_ = there;
+    scans_ = synthetic::ScansAt(there, synthetic::Hall(), {.usable_range_m = 12.0});
+    const SE2 wrong = there.back() * Inverse(then.front());
+    for (const sensor::LaserScan& scan :
+         synthetic::ScansAt(then, walls, {.usable_range_m = 12.0})) {
+      scans_.push_back(scan);
+    }
+    for (const SE2& pose : then) {
+      truth_.push_back(pose);
+      estimate_.push_back(wrong * pose);
+    }
+    const auto scan_of_node = [this](int node) { return scans_.at(node); };
+    const int first = static_cast<int>(there.size());
+    for (int k = 0; k < static_cast<int>(estimate_.size()); ++k) {
+      if (k == first) closer_.BeginPiece(k);
+      closer_.Update({estimate_.begin(), estimate_.begin() + k + 1}, scan_of_node);
+    }
+    closer_.UpdateAll(estimate_, scan_of_node);
+  }
+
+  std::vector<SE2> truth_, estimate_;
+  std::vector<sensor::LaserScan> scans_;
+  LoopCloser closer_{{}};
+};
+
+TEST_F(CarriedRobot, IsFoundByTheLookOfPlaces) {
+  Drive(synthetic::Hall());
+  EXPECT_EQ(closer_.pieces().Joined(closer_.closures()), (std::vector<int>{0, 0}));
+  for (const backend::Edge& closure : closer_.closures()) {
+    const SE2 off = Between(Between(truth_.at(closure.i), truth_.at(closure.j)), closure.i_T_j);
+    EXPECT_LT(off.translation().norm(), 0.05) << closure.i << ' ' << closure.j;
+    EXPECT_LT(std::abs(off.theta), 0.02) << closure.i << ' ' << closure.j;
+  }
+}
+
+TEST_F(CarriedRobot, StaysLostWhereItHasNeverBeen) {
+  Drive(synthetic::Corridor(0.0));
+  EXPECT_EQ(closer_.pieces().Joined(closer_.closures()), (std::vector<int>{0, 1}));
+}
+
+}  // namespace
+}  // namespace gmapping_spa::loop_closure
