@@ -25,19 +25,17 @@ Vector3d Offset(const SE2& from, const SE2& to) {
   return {to.x - from.x, to.y - from.y, backend::WrapAngle(to.theta - from.theta)};
 }
 
-// Minus the Hessian of f at zero by central differences with unit step, without the parts that
-// curve upward: there the likelihood does not bound the pose.
+// Minus the Hessian of f at zero, where it is `centre`, by symmetric differences with unit step,
+// without the parts that curve upward: there the likelihood does not bound the pose.
 template <typename Function>
-Matrix3d Curvature(const Function& f) {
+Matrix3d Curvature(double centre, const Function& f) {
+  const auto along = [&](const Vector3d& step) { return 2.0 * centre - f(step) - f(-step); };
   Matrix3d curvature;
-  const double centre = f(Vector3d::Zero());
   for (int i = 0; i < 3; ++i) {
-    const Vector3d ei = Vector3d::Unit(i);
-    curvature(i, i) = 2.0 * centre - f(ei) - f(-ei);
+    curvature(i, i) = along(Vector3d::Unit(i));
     for (int j = 0; j < i; ++j) {
-      const Vector3d ej = Vector3d::Unit(j);
-      curvature(i, j) = (f(ei - ej) + f(ej - ei) - f(ei + ej) - f(-ei - ej)) / 4.0;
-      curvature(j, i) = curvature(i, j);
+      const double diagonal = along(Vector3d::Unit(i) + Vector3d::Unit(j));
+      curvature(i, j) = curvature(j, i) = (diagonal - curvature(i, i) - curvature(j, j)) / 2.0;
     }
   }
   const SymmetricEigenSolver eigen(curvature);
@@ -58,10 +56,12 @@ Proposal ComputeProposal(scan_matching::EndpointModel* model, const SE2& optimum
   // cell far, too coarse across a wall; the second one probes where the first one ended.
   Matrix3d axes =
       Vector3d(model->resolution_m(), model->resolution_m(), kAngularStep_rad).asDiagonal();
+  const double log_likelihood_at_optimum = model->LogLikelihood(optimum);
   for (int pass = 0; pass < 2; ++pass) {
-    const Matrix3d information = Curvature([&](const Vector3d& q) {
-                                   return model->LogLikelihood(Moved(optimum, axes * q));
-                                 }) +
+    const Matrix3d information = Curvature(log_likelihood_at_optimum,
+                                           [&](const Vector3d& q) {
+                                             return model->LogLikelihood(Moved(optimum, axes * q));
+                                           }) +
                                  axes.transpose() * prior_information * axes;
     const SymmetricEigenSolver eigen(information);
     axes =

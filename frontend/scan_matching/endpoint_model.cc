@@ -21,6 +21,10 @@ constexpr int kCellsBehind = 12;
 // Expected of a beam that fits, in squared standard deviations.
 constexpr float kExpectedSquaredDistance = 1.0f;
 
+// So many beams, evenly spread, tell the likelihood of a pose as well as all of a dense scan, whose
+// neighbours see the same wall.
+constexpr std::size_t kEnoughBeams = 90;
+
 // A component of a unit vector, rounded to the eight directions of a grid.
 int Rounded(double component) { return (component > 0.5) - (component < -0.5); }
 
@@ -47,7 +51,7 @@ double EndpointModel::Score(const backend::SE2& world_T_robot, double at_least) 
   // A beam adds 1 at most; what is explained after a row of beams that are not counts late only.
   const double slack = count * (1.0 - at_least);
   double sum = 0.0;
-  ForEachBeam(world_T_robot, [&](std::size_t k, const EndPoint& end) {
+  ForEachBeam(world_T_robot, 1, [&](std::size_t k, const EndPoint& end) {
     sum += Explained(end);
     return sum + slack >= static_cast<double>(k);
   });
@@ -56,7 +60,7 @@ double EndpointModel::Score(const backend::SE2& world_T_robot, double at_least) 
 
 Evidence EndpointModel::Evaluate(const backend::SE2& world_T_robot) {
   Evidence evidence;
-  ForEachBeam(world_T_robot, [&](std::size_t, const EndPoint& end) {
+  ForEachBeam(world_T_robot, 1, [&](std::size_t, const EndPoint& end) {
     if (const double explained = Explained(end); explained > 0.0) {
       evidence.explained += explained;
       evidence.at_surface += 1.0;
@@ -92,8 +96,11 @@ bool EndpointModel::IsUnknown(const EndPoint& end) const {
 }
 
 double EndpointModel::LogLikelihood(const backend::SE2& world_T_robot) {
+  if (points_->empty()) return 0.0;
+  const std::size_t stride = (points_->size() + kEnoughBeams - 1) / kEnoughBeams;
   double sum = 0.0;
-  ForEachBeam(world_T_robot, [&](std::size_t, const EndPoint& end) {
+  std::size_t beams = 0;
+  ForEachBeam(world_T_robot, stride, [&](std::size_t, const EndPoint& end) {
     LocalSurface surface;
     float squared = max_squared_distance_;
     if (surface.Fit(*end.block, end.cell, end.x, end.y)) {
@@ -103,18 +110,21 @@ double EndpointModel::LogLikelihood(const backend::SE2& world_T_robot) {
       squared = kExpectedSquaredDistance;
     }
     sum += squared;
+    ++beams;
     return true;
   });
-  return likelihood_scale_ * sum;
+  return likelihood_scale_ * sum * static_cast<double>(points_->size()) /
+         static_cast<double>(beams);
 }
 
 template <typename Visit>
-void EndpointModel::ForEachBeam(const backend::SE2& world_T_robot, const Visit& visit) {
+void EndpointModel::ForEachBeam(const backend::SE2& world_T_robot, std::size_t stride,
+                                const Visit& visit) {
   const double cells_per_m = 1.0 / grid_->resolution_m();
   const double c = std::cos(world_T_robot.theta), s = std::sin(world_T_robot.theta);
   const double cx = c * cells_per_m, sx = s * cells_per_m;
   const double x0 = world_T_robot.x * cells_per_m, y0 = world_T_robot.y * cells_per_m;
-  for (std::size_t k = 0; k < points_->size(); ++k) {
+  for (std::size_t k = 0; k < points_->size(); k += stride) {
     const ScanPoint& point = (*points_)[k];
     EndPoint end;
     end.x = x0 + cx * point.x_m - sx * point.y_m;

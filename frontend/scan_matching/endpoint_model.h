@@ -11,9 +11,9 @@
 
 namespace gmapping_spa::scan_matching {
 
-// What the beams of a scan say about a pose. A beam that ends at a surface of the map speaks for it,
-// one that ends in free space or behind a surface against it. One that ends in unseen space says
-// nothing: whoever counts it as a miss is pulled back to what is known.
+// What the beams of a scan say about a pose. A beam that ends at a surface of the map speaks for
+// it, one that ends in free space or behind a surface against it. One that ends in unseen space
+// says nothing: whoever counts it as a miss is pulled back to what is known.
 struct Evidence {
   double explained = 0.0;     // sum over the beams at a surface of exp(-d^2 / 2 score_sigma^2)
   double contradicted = 0.0;  // number of beams
@@ -68,7 +68,8 @@ class EndpointModel {
   // log p(z | m, x) up to a constant, in nats: the gain times the sum over the beams of -d^2 / 2,
   // where d is the Mahalanobis distance to the LocalSurface at the end point with noise of
   // likelihood_sigma_m, limited to unmatched_sigmas. A beam that ends in unseen space counts as one
-  // that fits as well as can be expected: it is no evidence against the pose.
+  // that fits as well as can be expected: it is no evidence against the pose. Of dense scans the
+  // sum is estimated from beams that are spread evenly.
   double LogLikelihood(const backend::SE2& world_T_robot);
 
  private:
@@ -81,9 +82,9 @@ class EndpointModel {
     double back_x, back_y;  // unit vector toward the laser
   };
 
-  // Calls visit(k, end point) for every beam k, until it returns false.
+  // Calls visit(k, end point) for every `stride`-th beam k, until it returns false.
   template <typename Visit>
-  void ForEachBeam(const backend::SE2& world_T_robot, const Visit& visit);
+  void ForEachBeam(const backend::SE2& world_T_robot, std::size_t stride, const Visit& visit);
 
   // exp(-d^2 / 2 score_sigma^2) of the nearest surface; 0: none in reach.
   double Explained(const EndPoint& end) const;
