@@ -44,8 +44,7 @@ scan_matching::ScanPoints JoinScans(const std::vector<SE2>& world_T_nodes,
   for (int node = nodes.first; node <= nodes.last; ++node) {
     const SE2 reference_T_node = Between(world_T_nodes[reference], world_T_nodes[node]);
     const SE2 rotation{0, 0, reference_T_node.theta};
-    for (const scan_matching::ScanPoint& point :
-         scan_matching::MakeScanPoints(scan_of_node(node))) {
+    for (const scan_matching::ScanPoint& point : scan_matching::MakeEndPoints(scan_of_node(node))) {
       const Eigen::Vector2d at = reference_T_node * Eigen::Vector2d(point.x_m, point.y_m);
       const auto column = static_cast<std::int64_t>(std::floor(at.x() / cell_m));
       const auto row = static_cast<std::int64_t>(std::floor(at.y() / cell_m));

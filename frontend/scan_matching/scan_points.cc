@@ -51,17 +51,25 @@ void SetNormal(const ScanPoint* before, const ScanPoint* after, ScanPoint* point
 
 }  // namespace
 
-ScanPoints MakeScanPoints(const sensor::LaserScan& scan) {
+ScanPoints MakeEndPoints(const sensor::LaserScan& scan) {
   ScanPoints points;
   points.reserve(scan.beams.size());
-  std::vector<int> beams;  // their positions in the scan
   const backend::SE2& mount = scan.robot_T_laser;
   for (const sensor::Beam& beam : scan.beams) {
     if (beam.status != sensor::BeamStatus::kHit) continue;
     const double c = std::cos(mount.theta + beam.angle_rad);
     const double s = std::sin(mount.theta + beam.angle_rad);
-    points.push_back({mount.x + beam.range_m * c, mount.y + beam.range_m * s, -c, -s, beam.range_m});
-    beams.push_back(static_cast<int>(&beam - scan.beams.data()));
+    points.push_back(
+        {mount.x + beam.range_m * c, mount.y + beam.range_m * s, -c, -s, beam.range_m});
+  }
+  return points;
+}
+
+ScanPoints MakeScanPoints(const sensor::LaserScan& scan) {
+  ScanPoints points = MakeEndPoints(scan);
+  std::vector<int> beams;  // their positions in the scan
+  for (std::size_t k = 0; k < scan.beams.size(); ++k) {
+    if (scan.beams[k].status == sensor::BeamStatus::kHit) beams.push_back(static_cast<int>(k));
   }
   // The farthest point in reach on the surface that goes on from point k in that direction; null
   // where the neighbour is not on it.

@@ -16,8 +16,8 @@ struct ScanPoint {
   double back_x = 0.0;
   double back_y = 0.0;
   double range_m = 0.0;  // from the laser
-  // Unit normal of the surface there, from the neighbouring beams; (0, 0) where they do not meet one
-  // smooth surface.
+  // Unit normal of the surface there, from the neighbouring beams; (0, 0) where they do not meet
+  // one smooth surface.
   double normal_x = 0.0;
   double normal_y = 0.0;
   double normal_variance = 0.0;  // rad^2, from the noise of the ranges
@@ -26,6 +26,9 @@ using ScanPoints = std::vector<ScanPoint>;
 
 // All hits of a scan, in the order of its beams.
 ScanPoints MakeScanPoints(const sensor::LaserScan& scan);
+
+// The same without normals, in half the time.
+ScanPoints MakeEndPoints(const sensor::LaserScan& scan);
 
 }  // namespace gmapping_spa::scan_matching
 

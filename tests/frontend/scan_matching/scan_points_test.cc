@@ -44,6 +44,26 @@ TEST(MakeScanPoints, AreInTheRobotFrameAndPointBackToTheLaser) {
   EXPECT_NEAR(points[1].back_y, 0.0, 1e-12);
 }
 
+TEST(MakeEndPoints, AreTheScanPointsWithoutNormals) {
+  sensor::LaserScan scan;
+  scan.robot_T_laser = {0.3, -0.1, 0.2};
+  for (int k = 0; k < 20; ++k) {
+    scan.beams.push_back({0.02 * k, 2.0, k == 7 ? BeamStatus::kInvalid : BeamStatus::kHit});
+  }
+  const ScanPoints points = MakeScanPoints(scan), ends = MakeEndPoints(scan);
+  ASSERT_EQ(ends.size(), points.size());
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    EXPECT_EQ(ends[k].x_m, points[k].x_m);
+    EXPECT_EQ(ends[k].y_m, points[k].y_m);
+    EXPECT_EQ(ends[k].back_x, points[k].back_x);
+    EXPECT_EQ(ends[k].back_y, points[k].back_y);
+    EXPECT_EQ(ends[k].range_m, points[k].range_m);
+    EXPECT_EQ(ends[k].normal_x, 0.0);
+    EXPECT_EQ(ends[k].normal_y, 0.0);
+    EXPECT_NE(points[k].normal_x, 0.0);
+  }
+}
+
 TEST(MakeScanPoints, OfAScanWithoutHitsAreNone) {
   sensor::LaserScan scan;
   scan.beams = {{0.0, 9.0, BeamStatus::kNoReturn}};
