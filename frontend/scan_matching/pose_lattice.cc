@@ -22,25 +22,31 @@ int CellOf(double coordinate) {
 
 PoseLattice::PoseLattice(const Shape& shape, const FieldPyramid* pyramid,
                          const std::vector<Eigen::Vector2d>& points)
-    : shape_(shape), pyramid_(pyramid), point_count_(points.size()) {
+    : shape_(shape), pyramid_(pyramid), points_(points) {
   CHECK(shape.initial.IsFinite());
   CHECK_LT(points.size(), std::numeric_limits<int>::max() / 255u) << "sums of bytes overflow";
-  const double cells_per_m = 1.0 / shape.linear_step_m;
-  const double x0 = cells_per_m * shape.initial.x, y0 = cells_per_m * shape.initial.y;
   cells_.resize(static_cast<std::size_t>(pyramid->levels()));
-  for (int level = 0; level < pyramid->levels(); ++level) {
-    std::vector<CellIndex>& cells = cells_[static_cast<std::size_t>(level)];
-    const int angles = 1 << level;
-    for (int angle = -shape.angular_steps; angle <= shape.angular_steps; angle += angles) {
-      const double middle = angle + 0.5 * (angles - 1);
-      const double theta = shape.initial.theta + middle * shape.angular_step_rad;
-      const double c = cells_per_m * std::cos(theta), s = cells_per_m * std::sin(theta);
-      for (const Eigen::Vector2d& point : points) {
-        cells.push_back({CellOf(x0 + c * point.x() - s * point.y()),
-                         CellOf(y0 + s * point.x() + c * point.y())});
-      }
-    }
+  for (std::size_t level = 0; level < cells_.size(); ++level) {
+    cells_[level].resize(static_cast<std::size_t>(2 * shape.angular_steps >> level) + 1);
   }
+}
+
+const std::vector<CellIndex>& PoseLattice::Cells(int level, int group) const {
+  std::vector<CellIndex>& cells =
+      cells_[static_cast<std::size_t>(level)][static_cast<std::size_t>(group)];
+  if (!cells.empty()) return cells;
+  const double cells_per_m = 1.0 / shape_.linear_step_m;
+  const double x0 = cells_per_m * shape_.initial.x, y0 = cells_per_m * shape_.initial.y;
+  const int angles = 1 << level;
+  const double middle = group * angles - shape_.angular_steps + 0.5 * (angles - 1);
+  const double theta = shape_.initial.theta + middle * shape_.angular_step_rad;
+  const double c = cells_per_m * std::cos(theta), s = cells_per_m * std::sin(theta);
+  cells.reserve(points_.size());
+  for (const Eigen::Vector2d& point : points_) {
+    cells.push_back(
+        {CellOf(x0 + c * point.x() - s * point.y()), CellOf(y0 + s * point.x() + c * point.y())});
+  }
+  return cells;
 }
 
 SE2 PoseLattice::Pose(const PoseBlock& pose) const {
@@ -69,11 +75,9 @@ Eigen::Array4i PoseLattice::Bounds(const PoseBlock& first) const {
   const ByteGrid& level = pyramid_->level(first.level);
   const int size = 1 << first.level;
   const int group = (first.angle + shape_.angular_steps) >> first.level;
-  const CellIndex* cells = cells_[static_cast<std::size_t>(first.level)].data() +
-                           static_cast<std::size_t>(group) * point_count_;
   int sum_00 = 0, sum_10 = 0, sum_01 = 0, sum_11 = 0;
-  for (std::size_t k = 0; k < point_count_; ++k) {
-    const int x = cells[k].x + first.x, y = cells[k].y + first.y;
+  for (const CellIndex& cell : Cells(first.level, group)) {
+    const int x = cell.x + first.x, y = cell.y + first.y;
     const unsigned left = level.Column(x), right = level.Column(x + size);
     const std::uint8_t* low = level.RowValues(level.Row(y));
     const std::uint8_t* high = level.RowValues(level.Row(y + size));

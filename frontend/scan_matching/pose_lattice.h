@@ -37,7 +37,7 @@ class PoseLattice {
     int angular_steps;
   };
 
-  // `points` in the frame of the scan. `pyramid` must outlive this.
+  // `points` in the frame of the scan. `pyramid` must outlive this. Not to be shared by threads.
   PoseLattice(const Shape& shape, const FieldPyramid* pyramid,
               const std::vector<Eigen::Vector2d>& points);
 
@@ -71,12 +71,14 @@ class PoseLattice {
   // Together they take little longer than one.
   Eigen::Array4i Bounds(const PoseBlock& first) const;
 
+  // Of the points at x = y = 0 and the middle of the group-th 2^level angles.
+  const std::vector<map::CellIndex>& Cells(int level, int group) const;
+
   Shape shape_;
   const FieldPyramid* pyramid_;
-  std::size_t point_count_;
-  // Of the points at x = y = 0. cells_[h] holds them for the middle of the first 2^h angles, then
-  // for the middle of the next 2^h angles, and so on.
-  std::vector<std::vector<map::CellIndex>> cells_;
+  std::vector<Eigen::Vector2d> points_;
+  // By level and group, see Cells; empty until asked for: most angles of a large window never are.
+  mutable std::vector<std::vector<std::vector<map::CellIndex>>> cells_;
 };
 
 }  // namespace gmapping_spa::scan_matching
