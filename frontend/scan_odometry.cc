@@ -48,6 +48,8 @@ constexpr double kLostBelow = 0.5;
 constexpr double kBackAbove = 0.75;
 
 constexpr int kScansToKnowVelocity = 3;
+// About so many, evenly spread, tell where a scan fits; what is found is aligned by all beams.
+constexpr std::size_t kSearchBeams = 100;
 
 // Half widths of the windows that are searched, one after the other until a match convinces.
 struct Window {
@@ -109,11 +111,14 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
       if (IsConvincing(matches.front(), prior)) break;
       result.searched = true;
       // The robot may go on as before, or have been stopped or turned.
-      for (const SE2& motion : {prior.hypotheses().back().motion, SE2{}}) {
-        for (const Match& match :
-             Search(before * motion, {std::min(window.linear_m, prior.reach_m()),
-                                      std::min(window.angular_rad, prior.reach_rad())})) {
-          matches.push_back(match);
+      const scan_matching::SearchWindow within{std::min(window.linear_m, prior.reach_m()),
+                                               std::min(window.angular_rad, prior.reach_rad())};
+      const SE2& as_before = prior.hypotheses().back().motion;
+      for (const SE2& motion : {as_before, SE2{}}) {
+        for (const Match& match : Search(before * motion, within)) matches.push_back(match);
+        if (as_before.translation().norm() < 0.5 * within.linear_m &&
+            std::abs(as_before.theta) < 0.5 * within.angular_rad) {
+          break;  // the one window holds standing still and what is around it, too
         }
       }
       Rank(prior, &matches);
@@ -191,8 +196,10 @@ std::vector<ScanOdometry::Match> ScanOdometry::Search(const SE2& centre,
                                                       const scan_matching::SearchWindow& window) {
   std::vector<Eigen::Vector2d> positions;
   double reach_m = 1.0;
-  for (const scan_matching::ScanPoint& point : points_) {
-    positions.emplace_back(point.x_m, point.y_m);
+  const std::size_t stride = 1 + points_.size() / kSearchBeams;
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const scan_matching::ScanPoint& point = points_[k];
+    if (k % stride == 0) positions.emplace_back(point.x_m, point.y_m);
     reach_m = std::max(reach_m, std::hypot(point.x_m, point.y_m));
   }
   scan_matching::CorrelativeMatcher::Options search;
