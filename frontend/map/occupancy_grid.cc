@@ -31,15 +31,12 @@ void OccupancyGrid::AddPasses(CellIndex from, CellIndex to) {
     cell.AddPass();
     if (cell.hits > 0) UpdateFull(*tile, x, y);
 
+    // All ones or all zeros instead of branches, which nobody could predict.
     const int twice = 2 * error;
-    if (twice > -dy) {
-      error -= dy;
-      at.x += step_x;
-    }
-    if (twice < dx) {
-      error += dx;
-      at.y += step_y;
-    }
+    const int moves_x = -static_cast<int>(twice > -dy), moves_y = -static_cast<int>(twice < dx);
+    error += (dx & moves_y) - (dy & moves_x);
+    at.x += step_x & moves_x;
+    at.y += step_y & moves_y;
   }
 }
 
