@@ -16,6 +16,9 @@ namespace gmapping_spa::map {
 // again.
 class CellBlock {
  public:
+  // Covers nothing. The hit means are left as they are: a matcher makes hundreds of blocks.
+  CellBlock() {}  // NOLINT
+
   // Copies the block around `centre`.
   void CopyFrom(const OccupancyGrid& grid, CellIndex centre) {
     corner_ = {centre.x - kCentre, centre.y - kCentre};
@@ -50,6 +53,12 @@ class CellBlock {
   int CountOftenHit(CellIndex index) const {
     const int column = index.x - corner_.x, row = index.y - corner_.y;
     return std::popcount(often_hit_ & kThreeByThree << (kSize * (row - 1) + column - 1));
+  }
+
+  // Whether any cell of the 3 x 3 neighbourhood of the cell is full.
+  bool HasFullNeighbour(CellIndex index) const {
+    const int column = index.x - corner_.x, row = index.y - corner_.y;
+    return (full_ & kThreeByThree << (kSize * (row - 1) + column - 1)) != 0;
   }
 
   // Calls visit(x, y) with the hit mean, in cells relative to the corner of the cell `index`, of

@@ -134,8 +134,7 @@ void EndpointModel::ForEachBeam(const backend::SE2& world_T_robot, std::size_t s
     end.back_y = s * point.back_x + c * point.back_y;
     end.back_dx = Rounded(end.back_x);
     end.back_dy = Rounded(end.back_y);
-    if (!blocks_[k].Covers(end.cell)) blocks_[k].CopyFrom(*grid_, end.cell);
-    end.block = &blocks_[k];
+    end.block = &blocks_.Around(*grid_, k, end.cell);
     if (!visit(k, end)) return;
   }
 }

@@ -2,9 +2,10 @@
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_ENDPOINT_MODEL_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_ENDPOINT_MODEL_H_
 
-#include <vector>
+#include <cstddef>
 
 #include "backend/se2.h"
+#include "frontend/map/beam_blocks.h"
 #include "frontend/map/cell_block.h"
 #include "frontend/map/occupancy_grid.h"
 #include "frontend/scan_matching/scan_points.h"
@@ -94,8 +95,8 @@ class EndpointModel {
 
   const map::OccupancyGrid* grid_;
   const ScanPoints* points_;
-  std::vector<map::CellBlock> blocks_;  // around the end point of each beam
-  double score_scale_;                  // the exponent per squared distance in cells
+  map::BeamBlocks blocks_;
+  double score_scale_;  // the exponent per squared distance in cells
   float noise_cells_;
   float max_squared_distance_;
   bool unseen_is_miss_;

@@ -6,8 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
+#include "frontend/map/beam_blocks.h"
 #include "frontend/map/cell_block.h"
 #include "frontend/scan_matching/local_surface.h"
 
@@ -76,10 +76,9 @@ Eigen::Matrix2f AcrossWall(const LocalSurface& surface, float noise_cells) {
   return information;
 }
 
-// Of the beams at `pose`, in metres. `blocks` are refreshed where end points have left them.
+// Of the beams at `pose`, in metres.
 NormalEquations Linearize(const map::OccupancyGrid& grid, const ScanPoints& points, const SE2& pose,
-                          double noise_sigma_m, double robust_sigmas,
-                          std::vector<map::CellBlock>* blocks) {
+                          double noise_sigma_m, double robust_sigmas, map::BeamBlocks* blocks) {
   const double cells_per_m = 1.0 / grid.resolution_m();
   const auto noise_cells = static_cast<float>(noise_sigma_m * cells_per_m);
   const auto robust = static_cast<float>(robust_sigmas * robust_sigmas);
@@ -91,8 +90,7 @@ NormalEquations Linearize(const map::OccupancyGrid& grid, const ScanPoints& poin
     const double arm_x = c * point.x_m - s * point.y_m, arm_y = s * point.x_m + c * point.y_m;
     const double x = (pose.x + arm_x) * cells_per_m, y = (pose.y + arm_y) * cells_per_m;
     const CellIndex cell{FloorToCell(x), FloorToCell(y)};
-    map::CellBlock& block = (*blocks)[k];
-    if (!block.Covers(cell)) block.CopyFrom(grid, cell);
+    const map::CellBlock& block = blocks->Around(grid, k, cell);
     LocalSurface surface;
     if (!surface.Fit(block, cell, x, y)) continue;
     Eigen::Matrix2f information;
@@ -148,7 +146,7 @@ GaussNewton::GaussNewton(const Options& options, const EndpointModel::Options& m
 GaussNewton::Alignment GaussNewton::Align(const map::OccupancyGrid& grid, const ScanPoints& points,
                                           const SE2& initial_world_T_robot,
                                           const Eigen::Matrix3d& prior_information) const {
-  std::vector<map::CellBlock> blocks(points.size());
+  map::BeamBlocks blocks(points.size());
   Alignment alignment{.world_T_robot = initial_world_T_robot};
   SE2& pose = alignment.world_T_robot;
   for (int iteration = 0; iteration < options_.max_iterations; ++iteration) {
@@ -184,7 +182,7 @@ MatchResult GaussNewton::Match(const map::OccupancyGrid& grid, const ScanPoints&
 
 Eigen::Matrix3d GaussNewton::InformationAt(const map::OccupancyGrid& grid, const ScanPoints& points,
                                            const SE2& world_T_robot) const {
-  std::vector<map::CellBlock> blocks(points.size());
+  map::BeamBlocks blocks(points.size());
   return Linearize(grid, points, world_T_robot, options_.noise_sigma_m, options_.robust_sigmas,
                    &blocks)
       .hessian;

@@ -21,6 +21,7 @@ struct LocalSurface {
   // Sums up the full cells of the 3 x 3 neighbourhood of the cell `index`, which holds the point
   // (x, y). False when there are none.
   bool Fit(const map::CellBlock& block, map::CellIndex index, double x, double y) {
+    if (!block.HasFullNeighbour(index)) return false;
     const auto in_cell_x = static_cast<float>(x - index.x);
     const auto in_cell_y = static_cast<float>(y - index.y);
     using Eigen::Array4f;
@@ -39,10 +40,11 @@ struct LocalSurface {
     });
     const float sum = w.sum();
     if (sum <= 0.0f) return false;
-    offset = Eigen::Vector2f(wx.sum(), wy.sum()) / sum;
-    const float xy = wxy.sum() / sum - offset.x() * offset.y();
-    covariance << wxx.sum() / sum - offset.x() * offset.x(), xy, xy,
-        wyy.sum() / sum - offset.y() * offset.y();
+    const float scale = 1.0f / sum;
+    offset = scale * Eigen::Vector2f(wx.sum(), wy.sum());
+    const float xy = scale * wxy.sum() - offset.x() * offset.y();
+    covariance << scale * wxx.sum() - offset.x() * offset.x(), xy, xy,
+        scale * wyy.sum() - offset.y() * offset.y();
     return true;
   }
 
