@@ -25,17 +25,19 @@ Vector3d Offset(const SE2& from, const SE2& to) {
   return {to.x - from.x, to.y - from.y, backend::WrapAngle(to.theta - from.theta)};
 }
 
-// Minus the Hessian of f at zero, where it is `centre`, by symmetric differences with unit step,
+// Minus the Hessian of f at zero, where it is `centre`, by central differences with unit step,
 // without the parts that curve upward: there the likelihood does not bound the pose.
 template <typename Function>
 Matrix3d Curvature(double centre, const Function& f) {
-  const auto along = [&](const Vector3d& step) { return 2.0 * centre - f(step) - f(-step); };
   Matrix3d curvature;
   for (int i = 0; i < 3; ++i) {
-    curvature(i, i) = along(Vector3d::Unit(i));
+    const Vector3d ei = Vector3d::Unit(i);
+    curvature(i, i) = 2.0 * centre - f(ei) - f(-ei);
     for (int j = 0; j < i; ++j) {
-      const double diagonal = along(Vector3d::Unit(i) + Vector3d::Unit(j));
-      curvature(i, j) = curvature(j, i) = (diagonal - curvature(i, i) - curvature(j, j)) / 2.0;
+      // Both diagonals: beside a wall, where the likelihood has its floor, one alone misleads.
+      const Vector3d ej = Vector3d::Unit(j);
+      curvature(i, j) = (f(ei - ej) + f(ej - ei) - f(ei + ej) - f(-ei - ej)) / 4.0;
+      curvature(j, i) = curvature(i, j);
     }
   }
   const SymmetricEigenSolver eigen(curvature);
