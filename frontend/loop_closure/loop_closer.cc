@@ -145,7 +145,7 @@ int LoopCloser::Confirm(const std::vector<SE2>& world_T_nodes,
     const double new_way = std::abs(ways_driven[a.node] - ways_driven[b.node]);
     const double old_way = std::abs(ways_driven[a.old_node] - ways_driven[b.old_node]);
     if (new_way > options_.confirm_within_m || old_way > options_.confirm_within_m) continue;
-    if (new_way < options_.confirm_beyond_m) continue;
+    if (new_way < ConfirmBeyond(a, b)) continue;
     // Around the loop: a's old node -> a's node -> b's node -> b's old node -> a's old node.
     const SE2 around = a.old_T_node * Between(world_T_nodes[a.node], world_T_nodes[b.node]) *
                        Inverse(b.old_T_node) *
@@ -160,6 +160,16 @@ int LoopCloser::Confirm(const std::vector<SE2>& world_T_nodes,
     }
   }
   return accepted;
+}
+
+// An obstacle that was mistaken for another one stays so while it is in sight: looks at the same
+// one agree, and the more so the more there is in the window to mistake it for.
+double LoopCloser::ConfirmBeyond(const ClosureRecord& a, const ClosureRecord& b) const {
+  if (a.verdict == Verdict::kAccepted || b.verdict == Verdict::kAccepted) {
+    return options_.confirm_beyond_m;
+  }
+  const double window_m = verifier_.WindowOf(std::min(a.way_m, b.way_m)).linear_m;
+  return std::max(options_.confirm_beyond_m, options_.confirm_beyond_windows * window_m);
 }
 
 // Whether the same two nodes have been looked at before, and accepted.

@@ -24,6 +24,9 @@ class LoopCloser {
     double confirm_sigmas = 1.0;
     double confirm_within_m = 20.0;
     double confirm_beyond_m = 1.5;  // nearer ones see the same scans
+    // Nor do two confirm each other, of which none is accepted, that are nearer than this part of
+    // the window that they were found in reaches: they may have mistaken the same obstacle.
+    double confirm_beyond_windows = 0.5;
     DriftModel drift;
     CandidateOptions candidates;
     Verifier::Options verifier;
@@ -71,6 +74,7 @@ class LoopCloser {
   std::vector<double> WaysAcrossPieces(const std::vector<backend::SE2>& world_T_nodes) const;
   std::vector<backend::SE2> InSight(const std::vector<backend::SE2>& world_T_nodes) const;
   int Follow(const GlobalCloser::Decisions& decisions);
+  double ConfirmBeyond(const ClosureRecord& a, const ClosureRecord& b) const;
   bool IsClosed(const ClosureRecord& record) const;
   void Accept(std::size_t position);
   bool Release(std::size_t position);

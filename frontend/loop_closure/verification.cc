@@ -67,6 +67,20 @@ constexpr double kFloor_rad = 0.002;
 // Within so small a window two nodes overlap by what the estimate says, more or less.
 constexpr double kSmallWindow_m = 2.5;
 
+// Around a match at the border of a window: the peak that it belongs to lies beyond.
+constexpr scan_matching::SearchWindow kBeyondBorder{1.5, 0.15};
+
+// So near to its border that the best pose may be just the highest one on the slope of a peak
+// outside.
+bool IsAtBorder(const scan_matching::SearchWindow& window, const SE2& center, const SE2& found) {
+  constexpr double kBorder_m = 0.1;
+  constexpr double kBorder_rad = 0.01;
+  const Eigen::Vector2d shift = found.translation() - center.translation();
+  const double turn_rad = Between(center, found).theta;
+  return shift.cwiseAbs().maxCoeff() > window.linear_m - kBorder_m ||
+         std::abs(turn_rad) > window.angular_rad - kBorder_rad;
+}
+
 Eigen::Matrix3d WithFloor(const Eigen::Matrix3d& information) {
   const Eigen::Matrix3d floor =
       Eigen::Array3d(kFloor_m, kFloor_m, kFloor_rad).square().matrix().asDiagonal();
@@ -84,10 +98,10 @@ Verifier::Verifier(const Options& options, const DriftModel& drift,
       candidates_(candidates),
       matcher_(options.gauss_newton, {}) {}
 
-scan_matching::SearchWindow Verifier::WindowOf(const Candidate& candidate) const {
+scan_matching::SearchWindow Verifier::WindowOf(double way_m) const {
   const double sigmas = candidates_.sigmas;
-  return {std::min(sigmas * drift_.LinearSigma(candidate.way_m), candidates_.max_drift_m),
-          std::min(sigmas * drift_.AngularSigma(candidate.way_m), options_.max_turn_rad)};
+  return {std::min(sigmas * drift_.LinearSigma(way_m), candidates_.max_drift_m),
+          std::min(sigmas * drift_.AngularSigma(way_m), options_.max_turn_rad)};
 }
 
 // A small window needs no high pyramid. The covariance is that of fine alignment, later.
@@ -107,7 +121,7 @@ ClosureRecord Verifier::Verify(const std::vector<SE2>& world_T_nodes,
                                const Candidate& candidate) const {
   ClosureRecord record = Compare(
       world_T_nodes, scan_of_node, node, candidate,
-      {Between(world_T_nodes[candidate.old_node], world_T_nodes[node]), WindowOf(candidate)});
+      {Between(world_T_nodes[candidate.old_node], world_T_nodes[node]), WindowOf(candidate.way_m)});
   if (record.verdict == Verdict::kUnconfirmed && record.gate > options_.max_gate) {
     record.verdict = Verdict::kGate;
   }
@@ -168,8 +182,17 @@ ClosureRecord Verifier::Compare(const std::vector<SE2>& world_T_nodes,
   const scan_matching::CorrelativeMatcher search(
       SearchOptions(window),
       Positions(JoinScans(world_T_nodes, scan_of_node, old_nodes, old, options_.cell_m)));
-  const scan_matching::CorrelativeMatch coarse = search.Match(Positions(points), expected, window);
+  const std::vector<Eigen::Vector2d> positions = Positions(points);
+  scan_matching::CorrelativeMatch coarse = search.Match(positions, expected, window);
   if (!coarse.found) return decided(Verdict::kNoMatch);
+  if (IsAtBorder(window, expected, coarse.map_T_scan)) {
+    const SE2 border = coarse.map_T_scan;
+    const double second_score = coarse.second_score;
+    coarse = search.Match(positions, border, kBeyondBorder);
+    if (!coarse.found) return decided(Verdict::kNoMatch);
+    coarse.second_score = std::max(coarse.second_score, second_score);
+    if (IsAtBorder(kBeyondBorder, border, coarse.map_T_scan)) return decided(Verdict::kUnstable);
+  }
   record.score = coarse.score;
   record.second_score = coarse.second_score;
   record.old_T_node = coarse.map_T_scan;

@@ -51,6 +51,9 @@ class Verifier {
   ClosureRecord Verify(const std::vector<backend::SE2>& world_T_nodes,
                        const ScanOfNode& scan_of_node, int node, const Candidate& candidate) const;
 
+  // Where Verify looks, around the estimate after such a way.
+  scan_matching::SearchWindow WindowOf(double way_m) const;
+
   // Looks in a small window, wherever that is by the estimate: the gate is computed and decides
   // nothing. Stricter, since there may be many places that look alike: the old scans must fit the
   // new map as well.
@@ -63,7 +66,6 @@ class Verifier {
   ClosureRecord Compare(const std::vector<backend::SE2>& world_T_nodes,
                         const ScanOfNode& scan_of_node, int node, const Candidate& candidate,
                         const Expectation& expectation) const;
-  scan_matching::SearchWindow WindowOf(const Candidate& candidate) const;
   scan_matching::CorrelativeMatcher::Options SearchOptions(
       const scan_matching::SearchWindow& window) const;
 

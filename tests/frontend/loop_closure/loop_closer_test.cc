@@ -112,6 +112,26 @@ TEST_F(LoopClosing, ASingleClosureStaysUnconfirmed) {
   ExpectRight(closer.closures());
 }
 
+TEST_F(LoopClosing, WhatWasFoundInALargeWindowIsConfirmedFromFartherApart) {
+  Drive(68, kDrift);
+  LoopCloser::Options options = Options();
+  options.drift.m_per_m = 0.06;  // the window reaches 9 m and more
+  options.search_everywhere = false;
+  LoopCloser closer(options);
+  for (const int way_m : {60, 62, 64}) EXPECT_EQ(UpdateAt(way_m, &closer), 0) << way_m;
+  const auto found = [&] {
+    int count = 0;
+    for (const ClosureRecord& record : closer.records()) {
+      count += record.verdict == Verdict::kUnconfirmed ? 1 : 0;
+    }
+    return count;
+  };
+  ASSERT_GE(found(), 2) << "that agree, but show the same";
+  int accepted = 0;
+  for (const int way_m : {66, 68}) accepted += UpdateAt(way_m, &closer);
+  EXPECT_GE(accepted, 2);
+}
+
 TEST_F(LoopClosing, ASecondLookAtTheSamePlaceConfirmsNothing) {
   Drive(66, kDrift);
   LoopCloser::Options options = Options();
