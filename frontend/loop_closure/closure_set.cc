@@ -37,6 +37,14 @@ std::vector<std::size_t> Thinned(const std::vector<std::size_t>& members) {
   return thinned;
 }
 
+// Of the member that drift explains most easily.
+double SmallestGate(const std::vector<ClosureRecord>& records,
+                    const std::vector<std::size_t>& members) {
+  double gate = std::numeric_limits<double>::infinity();
+  for (const std::size_t member : members) gate = std::min(gate, records[member].gate);
+  return gate;
+}
+
 }  // namespace
 
 double SpanOf(const DrivenPath& path, const std::vector<ClosureRecord>& records,
@@ -46,6 +54,14 @@ double SpanOf(const DrivenPath& path, const std::vector<ClosureRecord>& records,
       members.begin(), members.end(),
       [&](std::size_t a, std::size_t b) { return records[a].node < records[b].node; });
   return WayBetween(path, records[*first].node, records[*last].node);
+}
+
+double ProofOf(const ProofOptions& options, const DrivenPath& path,
+               const std::vector<ClosureRecord>& records, const std::vector<std::size_t>& members) {
+  if (members.empty()) return 0.0;
+  const double variances = SmallestGate(records, members) / options.max_gate;
+  return SpanOf(path, records, members) /
+         (options.min_span_m * std::sqrt(std::max(variances, 1.0)));
 }
 
 std::vector<std::size_t> ProvenMembers(const ProofOptions& options, const DriftModel& drift,
@@ -64,11 +80,8 @@ std::vector<std::size_t> ProvenMembers(const ProofOptions& options, const DriftM
   const auto count = static_cast<int>(members.size());
   if (count < options.min_members) return {};
   if (count < options.min_per_contradiction * set.contradictions) return {};
-  double gate = std::numeric_limits<double>::infinity();
-  for (const std::size_t member : members) gate = std::min(gate, records[member].gate);
-  if (gate > options.impossible_gate) return {};
-  const double min_span_m = options.min_span_m * std::sqrt(std::max(gate / options.max_gate, 1.0));
-  return SpanOf(path, records, members) >= min_span_m ? members : std::vector<std::size_t>();
+  if (SmallestGate(records, members) > options.impossible_gate) return {};
+  return ProofOf(options, path, records, members) >= 1.0 ? members : std::vector<std::size_t>();
 }
 
 const ClosureRecord& NearestMember(const DrivenPath& path,

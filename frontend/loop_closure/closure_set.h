@@ -33,17 +33,17 @@ struct ProofOptions {
   // member is for which that is easiest. Grows in proportion to how far off it is in standard
   // deviations beyond that: a corridor may look the same for 50 m, turned around.
   double min_span_m = 12.0;
-  double max_gate = 13.8;            // up to which drift explains it
+  double max_gate = 13.8;  // up to which drift explains it
   // No look of a building proves what drift can not have done: ten standard deviations, squared. A
   // building with two wings alike shows the same for as long as one drives.
   double impossible_gate = 100.0;
   double min_per_contradiction = 3;  // members
   double consistent_sigmas = 2.0;    // of the drift on the way, for two members to go together
-  // Another hypothesis of the same stretch that is more than this off, and proven by at least this
-  // part of the span, leaves the decision open.
+  // Another hypothesis of the same stretch that is more than this off, and has at least this part
+  // of the proof, leaves the decision open.
   double rival_m = 1.0;
   double rival_rad = 0.15;
-  double rival_span = 0.5;
+  double rival_proof = 0.5;
 };
 
 // The members out of the largest pairwise consistent subset; empty when they prove nothing: too few
@@ -61,6 +61,10 @@ bool Contradict(const ProofOptions& options, const DrivenPath& path,
 // Driving from the first member to the last.
 double SpanOf(const DrivenPath& path, const std::vector<ClosureRecord>& records,
               const std::vector<std::size_t>& members);
+
+// That driving, as a part of what it takes for how far off by drift the members are.
+double ProofOf(const ProofOptions& options, const DrivenPath& path,
+               const std::vector<ClosureRecord>& records, const std::vector<std::size_t>& members);
 
 // The member whose node is nearest to `node` by driving.
 const ClosureRecord& NearestMember(const DrivenPath& path,

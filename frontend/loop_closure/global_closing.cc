@@ -210,12 +210,13 @@ GlobalCloser::Decisions GlobalCloser::Decide(const Call& call) {
     proven.push_back(ProvenMembers(options_.proof, drift_, call.path, *call.records, set));
   }
   for (std::size_t k = 0; k < sets_.size(); ++k) {
-    const double span_m = SpanOf(call.path, *call.records, proven[k]);
+    const double proof = ProofOf(options_.proof, call.path, *call.records, proven[k]);
     bool is_believed = !proven[k].empty();
     for (std::size_t other = 0; other < sets_.size() && is_believed; ++other) {
       if (other == k) continue;
-      const double other_m = SpanOf(call.path, *call.records, sets_[other].members);
-      if (other_m < options_.proof.rival_span * span_m) continue;
+      const double other_proof =
+          ProofOf(options_.proof, call.path, *call.records, sets_[other].members);
+      if (other_proof < options_.proof.rival_proof * proof) continue;
       if (static_cast<int>(sets_[other].members.size()) <
           options_.proof.min_per_contradiction * sets_[other].contradictions)
         continue;

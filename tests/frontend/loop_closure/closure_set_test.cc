@@ -62,6 +62,16 @@ TEST_F(ClosureSets, NeedMoreDrivingTheFartherOffTheyAre) {
   EXPECT_EQ(Proven(Closures(13, 1000.0)), 0u);
 }
 
+TEST_F(ClosureSets, AreLessOfAProofTheFartherOffTheyAre) {
+  const auto proof = [this](const ClosureSet& set) {
+    return ProofOf(options_, path_, records_, set.members);
+  };
+  EXPECT_DOUBLE_EQ(proof(Closures(7, 5.0)), 1.0);  // 12 m
+  EXPECT_DOUBLE_EQ(proof(Closures(7, 40.0)), 0.5);
+  EXPECT_DOUBLE_EQ(proof(Closures(13, 40.0)), 1.0);
+  EXPECT_DOUBLE_EQ(proof({}), 0.0);
+}
+
 TEST_F(ClosureSets, FallWithTheirContradictions) {
   ClosureSet set = Closures(9, 5.0);
   set.contradictions = 3;
