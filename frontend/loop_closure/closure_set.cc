@@ -45,6 +45,48 @@ double SmallestGate(const std::vector<ClosureRecord>& records,
   return gate;
 }
 
+// The members out of the largest pairwise consistent subset; empty when that proves nothing over
+// however much driving.
+std::vector<std::size_t> SoundMembers(const ProofOptions& options, const DriftModel& drift,
+                                      const DrivenPath& path,
+                                      const std::vector<ClosureRecord>& records,
+                                      const ClosureSet& set) {
+  if (static_cast<int>(set.members.size()) < options.min_members) return {};
+  const std::vector<std::size_t> all = Thinned(set.members);
+  std::vector<std::size_t> members;
+  for (const int k : LargestConsistentSet(static_cast<int>(all.size()), [&](int a, int b) {
+         return AreConsistent(drift, options.consistent_sigmas, path, records[all[a]],
+                              records[all[b]]);
+       })) {
+    members.push_back(all[k]);
+  }
+  const auto count = static_cast<int>(members.size());
+  if (count < options.min_members) return {};
+  if (count < options.min_per_contradiction * set.contradictions) return {};
+  if (SmallestGate(records, members) > options.impossible_gate) return {};
+  return members;
+}
+
+// Around the loop through the members of both that are nearest to each other by driving.
+bool Agree(const ProofOptions& options, const DriftModel& drift, const DrivenPath& path,
+           const std::vector<ClosureRecord>& records, const std::vector<std::size_t>& a,
+           const std::vector<std::size_t>& b) {
+  const ClosureRecord *nearest_a = nullptr, *nearest_b = nullptr;
+  double nearest_m = options.agree_within_m;
+  for (const std::size_t i : a) {
+    for (const std::size_t j : b) {
+      const double way_m = WayBetween(path, records[i].node, records[j].node) +
+                           WayBetween(path, records[i].old_node, records[j].old_node);
+      if (way_m > nearest_m) continue;
+      nearest_m = way_m;
+      nearest_a = &records[i];
+      nearest_b = &records[j];
+    }
+  }
+  return nearest_a != nullptr &&
+         AreConsistent(drift, options.agree_sigmas, path, *nearest_a, *nearest_b);
+}
+
 }  // namespace
 
 double SpanOf(const DrivenPath& path, const std::vector<ClosureRecord>& records,
@@ -64,24 +106,31 @@ double ProofOf(const ProofOptions& options, const DrivenPath& path,
          (options.min_span_m * std::sqrt(std::max(variances, 1.0)));
 }
 
-std::vector<std::size_t> ProvenMembers(const ProofOptions& options, const DriftModel& drift,
-                                       const DrivenPath& path,
-                                       const std::vector<ClosureRecord>& records,
-                                       const ClosureSet& set) {
-  if (static_cast<int>(set.members.size()) < options.min_members) return {};
-  const std::vector<std::size_t> all = Thinned(set.members);
-  std::vector<std::size_t> members;
-  for (const int k : LargestConsistentSet(static_cast<int>(all.size()), [&](int a, int b) {
-         return AreConsistent(drift, options.consistent_sigmas, path, records[all[a]],
-                              records[all[b]]);
-       })) {
-    members.push_back(all[k]);
+std::vector<std::vector<std::size_t>> ProvenSets(const ProofOptions& options,
+                                                 const DriftModel& drift, const DrivenPath& path,
+                                                 const std::vector<ClosureRecord>& records,
+                                                 const std::vector<ClosureSet>& sets) {
+  std::vector<std::vector<std::size_t>> sound;
+  for (const ClosureSet& set : sets) {
+    sound.push_back(SoundMembers(options, drift, path, records, set));
   }
-  const auto count = static_cast<int>(members.size());
-  if (count < options.min_members) return {};
-  if (count < options.min_per_contradiction * set.contradictions) return {};
-  if (SmallestGate(records, members) > options.impossible_gate) return {};
-  return ProofOf(options, path, records, members) >= 1.0 ? members : std::vector<std::size_t>();
+  std::vector<std::vector<std::size_t>> proven(sets.size());
+  for (std::size_t k = 0; k < sets.size(); ++k) {
+    double proof = ProofOf(options, path, records, sound[k]);
+    std::vector<std::size_t> counted = {k};
+    for (std::size_t other = 0; other < sets.size() && proof > 0.0 && proof < 1.0; ++other) {
+      if (!Agree(options, drift, path, records, sound[k], sound[other])) continue;
+      const bool is_new = std::none_of(counted.begin(), counted.end(), [&](std::size_t c) {
+        return sets[c].first_node <= sets[other].last_node &&
+               sets[other].first_node <= sets[c].last_node;
+      });
+      if (!is_new) continue;  // the same driving proves nothing twice
+      proof += ProofOf(options, path, records, sound[other]);
+      counted.push_back(other);
+    }
+    if (proof >= 1.0) proven[k] = sound[k];
+  }
+  return proven;
 }
 
 const ClosureRecord& NearestMember(const DrivenPath& path,

@@ -39,6 +39,10 @@ struct ProofOptions {
   double impossible_gate = 100.0;
   double min_per_contradiction = 3;  // members
   double consistent_sigmas = 2.0;    // of the drift on the way, for two members to go together
+  // For two sets to agree: of the drift on the way between them, which must not be so long that
+  // drift explains everything.
+  double agree_sigmas = 1.0;
+  double agree_within_m = 200.0;
   // Another hypothesis of the same stretch that is more than this off, and has at least this part
   // of the proof, leaves the decision open.
   double rival_m = 1.0;
@@ -46,12 +50,14 @@ struct ProofOptions {
   double rival_proof = 0.5;
 };
 
-// The members out of the largest pairwise consistent subset; empty when they prove nothing: too few
-// of them, over too little driving for how far off they are, or too many contradictions.
-std::vector<std::size_t> ProvenMembers(const ProofOptions& options, const DriftModel& drift,
-                                       const DrivenPath& path,
-                                       const std::vector<ClosureRecord>& records,
-                                       const ClosureSet& set);
+// Of each set the members out of its largest pairwise consistent subset; empty when they prove
+// nothing: too few of them, over too little driving for how far off they are, or too many
+// contradictions. The driving of other sets that agree adds up: a robot that crosses what it knows
+// again and again sees little of it each time.
+std::vector<std::vector<std::size_t>> ProvenSets(const ProofOptions& options,
+                                                 const DriftModel& drift, const DrivenPath& path,
+                                                 const std::vector<ClosureRecord>& records,
+                                                 const std::vector<ClosureSet>& sets);
 
 // Whether the set says that the robot was elsewhere than what `rival` says of the same stretch.
 bool Contradict(const ProofOptions& options, const DrivenPath& path,

@@ -205,10 +205,8 @@ std::optional<Candidate> GlobalCloser::Predict(const Call& call, const ClosureRe
 
 GlobalCloser::Decisions GlobalCloser::Decide(const Call& call) {
   Decisions decisions;
-  std::vector<std::vector<std::size_t>> proven;
-  for (const ClosureSet& set : sets_) {
-    proven.push_back(ProvenMembers(options_.proof, drift_, call.path, *call.records, set));
-  }
+  const std::vector<std::vector<std::size_t>> proven =
+      ProvenSets(options_.proof, drift_, call.path, *call.records, sets_);
   for (std::size_t k = 0; k < sets_.size(); ++k) {
     const double proof = ProofOf(options_.proof, call.path, *call.records, proven[k]);
     bool is_believed = !proven[k].empty();

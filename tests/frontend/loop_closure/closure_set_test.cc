@@ -20,25 +20,25 @@ class ClosureSets : public testing::Test {
     }
   }
 
-  // Closures every 2 m, `off_m` beside the old node, with that gate.
-  ClosureSet Closures(int count, double gate, double off_m = 0.0) {
+  // Closures every 2 m from node 110 + `from` on, `off_m` beside the old node, with that gate.
+  ClosureSet Closures(int count, double gate, double off_m = 0.0, int from = 0) {
     ClosureSet set;
     for (int k = 0; k < count; ++k) {
       ClosureRecord record;
-      record.old_node = 10 + 2 * k;
-      record.node = 110 + 2 * k;
+      record.old_node = 10 + from + 2 * k;
+      record.node = 110 + from + 2 * k;
       record.old_T_node = {0.0, off_m, 0.0};
       record.gate = gate;
       records_.push_back(record);
       set.members.push_back(records_.size() - 1);
     }
-    set.first_node = 110;
-    set.last_node = 110 + 2 * (count - 1);
+    set.first_node = 110 + from;
+    set.last_node = 110 + from + 2 * (count - 1);
     return set;
   }
 
   std::size_t Proven(const ClosureSet& set) const {
-    return ProvenMembers(options_, {}, path_, records_, set).size();
+    return ProvenSets(options_, {}, path_, records_, {set})[0].size();
   }
 
   std::vector<SE2> poses_;
@@ -72,6 +72,21 @@ TEST_F(ClosureSets, AreLessOfAProofTheFartherOffTheyAre) {
   EXPECT_DOUBLE_EQ(proof({}), 0.0);
 }
 
+TEST_F(ClosureSets, ThatAgreeProveEachOther) {
+  const auto proven = [this](const std::vector<ClosureSet>& sets) {
+    return ProvenSets(options_, {}, path_, records_, sets)[0].size();
+  };
+  const ClosureSet first = Closures(6, 5.0);  // 10 m
+  const ClosureSet later = Closures(5, 5.0, 0.0, 40);
+  EXPECT_EQ(proven({first}), 0u);
+  EXPECT_EQ(proven({first, later}), 6u);
+  EXPECT_EQ(proven({first, first}), 0u) << "the same driving";
+  EXPECT_EQ(proven({first, Closures(5, 5.0, 3.0, 40)}), 0u) << "not the same way off";
+  EXPECT_EQ(proven({first, Closures(3, 5.0, 0.0, 40)}), 0u) << "no set of its own";
+  options_.agree_within_m = 50.0;
+  EXPECT_EQ(proven({first, later}), 0u) << "too far away";
+}
+
 TEST_F(ClosureSets, FallWithTheirContradictions) {
   ClosureSet set = Closures(9, 5.0);
   set.contradictions = 3;
@@ -83,7 +98,7 @@ TEST_F(ClosureSets, FallWithTheirContradictions) {
 TEST_F(ClosureSets, LeaveOutMembersThatDoNotGoWithTheOthers) {
   const ClosureSet set = Closures(9, 5.0);
   records_[set.members[4]].old_T_node = {3.0, 1.0, 0.8};
-  const std::vector<std::size_t> proven = ProvenMembers(options_, {}, path_, records_, set);
+  const std::vector<std::size_t> proven = ProvenSets(options_, {}, path_, records_, {set})[0];
   EXPECT_EQ(proven.size(), 8u);
   for (const std::size_t member : proven) EXPECT_NE(member, set.members[4]);
 }
