@@ -72,7 +72,13 @@ bool IsSame(const SE2& a, const SE2& b) {
 ScanOdometry::ScanOdometry(const Options& options)
     : options_(options),
       matcher_(options.gauss_newton, options.endpoint),
-      map_(options.grid, options.map_scans) {}
+      map_(
+          [&options] {
+            map::OccupancyGrid::Options grid = options.grid;
+            grid.full_threshold = options.full_threshold;
+            return grid;
+          }(),
+          options.map_scans) {}
 
 ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
                                  const sensor::OdometryCheck::Step& wheels) {
@@ -232,7 +238,7 @@ bool ScanOdometry::IsConvincing(const Match& match, const MotionPrior& prior) co
 // A beam says so many nats for a pose as it fits better than usual; in unseen space, none.
 double ScanOdometry::Nats(const Match& match, double least_unknown) const {
   const scan_matching::Evidence& e = match.evidence;
-  const double free_unknown = least_unknown + kFreeUnknown * static_cast<double>(points_.size());
+  const double free_unknown = least_unknown + kFreeUnknown * e.all();
   const double unexpected = std::max(e.unknown - free_unknown, 0.0);
   return kNatsPerBeam * (e.explained - usual_fit_ * (e.known() + unexpected));
 }

@@ -46,6 +46,9 @@ class ScanOdometry {
     scan_matching::GaussNewton::Options gauss_newton;
     scan_matching::EndpointModel::Options endpoint;
     map::OccupancyGrid::Options grid;
+    // Of the map that scans are matched with, in place of the grid's own: what is seen through more
+    // often than this was a person who went by.
+    double full_threshold = 0.25;
     MotionPrior::Options prior;
     // A scan is entered into the map after this much motion. The map is given up for one of half
     // that many scans when it holds so many.

@@ -16,6 +16,9 @@ namespace {
 // A search is made anew when the robot is this part of its reach away from where it was made.
 constexpr double kRenewAt = 0.25;
 
+// People leave hits in the map, which later beams clear; walls that are met at a flat angle stay.
+constexpr double kClearMargin_m = 0.2;
+
 // Hit means of the full cells within a square around the centre.
 std::vector<Eigen::Vector2d> Surfaces(const map::OccupancyGrid& grid, const SE2& centre,
                                       double half_width_m) {
@@ -56,7 +59,7 @@ void SlidingMap::Enter(const sensor::LaserScan& scan, const SE2& odom_T_robot) {
     maps_.push_back({map::OccupancyGrid(grid_options_)});
   }
   for (LocalMap& local : maps_) {
-    map::RegisterScan(scan, odom_T_robot, {}, &local.grid);
+    map::RegisterScan(scan, odom_T_robot, {.clear_margin_m = kClearMargin_m}, &local.grid);
     ++local.scans;
   }
   search_.reset();

@@ -1,5 +1,6 @@
 #include "frontend/map/scan_registration.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gmapping_spa::map {
@@ -16,7 +17,9 @@ void RegisterScan(const sensor::LaserScan& scan, const backend::SE2& world_T_rob
     const double angle = world_T_laser.theta + beam.angle_rad;
     const double range = beam.range_m * cells_per_m;
     const double end_x = x + range * std::cos(angle), end_y = y + range * std::sin(angle);
-    grid->AddPasses(origin, {FloorToCell(end_x), FloorToCell(end_y)});
+    const double margin = hit ? std::min(options.clear_margin_m, beam.range_m) * cells_per_m : 0.0;
+    grid->AddPasses(origin, {FloorToCell(end_x - margin * std::cos(angle)),
+                             FloorToCell(end_y - margin * std::sin(angle))});
     if (hit) grid->AddHit(end_x, end_y);
   }
 }

@@ -12,6 +12,9 @@ struct RegistrationOptions {
   // Whether a beam without return counts as free space up to the usable range. Off by default: on
   // many scanners a missing return also means glass, black or grazing surfaces.
   bool no_return_clears = false;
+  // A hit says nothing about so much of the way before it: a beam that grazes a wall passes through
+  // cells of that wall.
+  double clear_margin_m = 0.0;
 };
 
 // Eq. (16), the map posterior given a pose: every hit counts for the cell that holds its end point

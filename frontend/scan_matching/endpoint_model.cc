@@ -60,14 +60,15 @@ double EndpointModel::Score(const backend::SE2& world_T_robot, double at_least) 
 
 Evidence EndpointModel::Evaluate(const backend::SE2& world_T_robot) {
   Evidence evidence;
-  ForEachBeam(world_T_robot, 1, [&](std::size_t, const EndPoint& end) {
+  ForEachBeam(world_T_robot, 1, [&](std::size_t k, const EndPoint& end) {
+    const double weight = (*points_)[k].weight;
     if (const double explained = Explained(end); explained > 0.0) {
-      evidence.explained += explained;
-      evidence.at_surface += 1.0;
+      evidence.explained += weight * explained;
+      evidence.at_surface += weight;
     } else if (IsUnknown(end)) {
-      evidence.unknown += 1.0;
+      evidence.unknown += weight;
     } else {
-      evidence.contradicted += 1.0;
+      evidence.contradicted += weight;
     }
     return true;
   });

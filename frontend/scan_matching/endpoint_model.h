@@ -14,7 +14,8 @@ namespace gmapping_spa::scan_matching {
 
 // What the beams of a scan say about a pose. A beam that ends at a surface of the map speaks for
 // it, one that ends in free space or behind a surface against it. One that ends in unseen space
-// says nothing: whoever counts it as a miss is pulled back to what is known.
+// says nothing: whoever counts it as a miss is pulled back to what is known. Beams count by their
+// ScanPoint::weight.
 struct Evidence {
   double explained = 0.0;     // sum over the beams at a surface of exp(-d^2 / 2 score_sigma^2)
   double contradicted = 0.0;  // number of beams
@@ -22,6 +23,7 @@ struct Evidence {
   double at_surface = 0.0;    // number of beams
 
   double known() const { return at_surface + contradicted; }
+  double all() const { return known() + unknown; }
   // Between 0 and 1, the latter where nothing is known.
   double Fit() const { return known() > 0.0 ? explained / known() : 1.0; }
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace gmapping_spa::scan_matching {
 
@@ -18,6 +19,10 @@ constexpr double kReach_m = 0.15;
 constexpr double kSmooth = 0.1;
 constexpr double kSmooth_m = 0.03;
 
+// Beams that end farther apart than this, as seen from the laser, count in full.
+constexpr double kIndependent_m = 0.1;
+constexpr double kLeastWeight = 0.1;  // or a covered laser would say nothing at all
+
 constexpr double kRangeNoise_m = 0.015;  // standard deviation of common lasers
 
 double SquaredDistance(const ScanPoint& a, const ScanPoint& b) {
@@ -29,6 +34,13 @@ bool OnOneSurface(const ScanPoint& a, const ScanPoint& b) {
   const double across_m = a.range_m * std::abs(a.back_x * b.back_y - a.back_y * b.back_x);
   const double limit_m = std::clamp(kFlattest * across_m, kSmooth_m, kMaxGap_m);
   return SquaredDistance(a, b) <= limit_m * limit_m;
+}
+
+// Between neighbouring beams, on average; rad.
+double AngleBetweenBeams(const std::vector<sensor::Beam>& beams) {
+  if (beams.size() < 2) return 2.0 * std::numbers::pi;
+  return std::abs(beams.back().angle_rad - beams.front().angle_rad) /
+         static_cast<double>(beams.size() - 1);
 }
 
 // From the neighbours that meet the same surface: both, if they agree with the point, else the
@@ -55,12 +67,13 @@ ScanPoints MakeEndPoints(const sensor::LaserScan& scan) {
   ScanPoints points;
   points.reserve(scan.beams.size());
   const backend::SE2& mount = scan.robot_T_laser;
+  const double weight_per_m = AngleBetweenBeams(scan.beams) / kIndependent_m;
   for (const sensor::Beam& beam : scan.beams) {
     if (beam.status != sensor::BeamStatus::kHit) continue;
     const double c = std::cos(mount.theta + beam.angle_rad);
     const double s = std::sin(mount.theta + beam.angle_rad);
-    points.push_back(
-        {mount.x + beam.range_m * c, mount.y + beam.range_m * s, -c, -s, beam.range_m});
+    points.push_back({mount.x + beam.range_m * c, mount.y + beam.range_m * s, -c, -s, beam.range_m,
+                      std::clamp(weight_per_m * beam.range_m, kLeastWeight, 1.0)});
   }
   return points;
 }
