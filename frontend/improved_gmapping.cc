@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "frontend/scan_density.h"
+
 namespace gmapping_spa::frontend {
 
 using backend::SE2;
@@ -42,7 +44,7 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
   // Steps 4' and 6: what the graph thread has found out corrects the particles.
   if (const auto optimized = graph_thread_.Advance()) TakeOver(*optimized);
 
-  const bool is_update = (UpdateIsDue(u) || ambiguous) && motion.matched;
+  const bool is_update = (UpdateIsDue(u, ScanDensity(scan)) || ambiguous) && motion.matched;
   // In units of what triggers an update; the 1e-9 spreads by number of scans if nothing moved.
   const double amount = u.translation().norm() / std::max(options_.linear_update_m, 1e-3) +
                         std::abs(u.theta) / std::max(options_.angular_update_rad, 1e-3) + 1e-9;
@@ -91,11 +93,11 @@ void ImprovedGmapping::BeginPiece(int scans) {
   angular_since_update_rad_ = std::abs(since.theta);
 }
 
-bool ImprovedGmapping::UpdateIsDue(const SE2& u) {
+bool ImprovedGmapping::UpdateIsDue(const SE2& u, double density) {
   linear_since_update_m_ += u.translation().norm();
   angular_since_update_rad_ += std::abs(u.theta);
-  return counts_.updates == 0 || linear_since_update_m_ >= options_.linear_update_m ||
-         angular_since_update_rad_ >= options_.angular_update_rad;
+  return counts_.updates == 0 || linear_since_update_m_ >= density * options_.linear_update_m ||
+         angular_since_update_rad_ >= density * options_.angular_update_rad;
 }
 
 void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan,

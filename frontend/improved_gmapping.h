@@ -37,8 +37,8 @@ class ImprovedGmapping {
   };
 
   struct Options {
-    // The filter is updated when the robot has moved this far since the last update. Zero updates
-    // with every scan.
+    // The filter is updated when the robot has moved this far since the last update, one with few
+    // beams the sooner (ScanDensity). Zero updates with every scan.
     double linear_update_m = 1.0;
     double angular_update_rad = 0.5;
     particle_filter::ParticleFilter::Options filter;
@@ -90,7 +90,7 @@ class ImprovedGmapping {
 
  private:
   void BeginPiece(int scans);
-  bool UpdateIsDue(const backend::SE2& u);
+  bool UpdateIsDue(const backend::SE2& u, double density);
   void TakeOver(const backend::PoseGraph& optimized);
   void UpdateFilter(const sensor::LaserScan& scan,
                     const std::vector<particle_filter::ParticleFilter::Control>& controls);

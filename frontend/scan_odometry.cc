@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "frontend/scan_density.h"
+
 namespace gmapping_spa::frontend {
 
 using backend::SE2;
@@ -26,8 +28,8 @@ constexpr double kMaxChange = 3.0;  // of the motion from scan to scan, in stand
 // Squared standard deviations by which a motion may differ from a guess that it agrees with.
 constexpr double kAgrees = 9.0;
 
-// Nats of a beam that fits: neighbouring beams are not independent.
-constexpr double kNatsPerBeam = 0.5;
+// Nats by which a beam of full weight that fits tells a pose from one where it does not.
+constexpr double kNatsPerBeam = 1.0;
 // A scan that fits nowhere (a covered laser, a crowd) says nothing about the motion, at this price.
 constexpr double kGarbage_nats = 30.0;
 
@@ -40,12 +42,13 @@ constexpr double kAmbiguous_nats = 3.0;
 constexpr double kSame_m = 0.1;
 constexpr double kSame_rad = 0.05;
 
+// A scan of which more than this part ends in unseen space may be anywhere, if that is so much more
+// than usual: a new map knows little.
+constexpr double kMostUnknown = 0.6;
+constexpr double kMoreUnknown = 0.3;
+
 // Of beams in doubt: fewer that do not fit prove nothing.
 constexpr double kFewBeams = 4.0;
-
-// Parts of the usual fit.
-constexpr double kLostBelow = 0.5;
-constexpr double kBackAbove = 0.75;
 
 constexpr int kScansToKnowVelocity = 3;
 // About so many, evenly spread, tell where a scan fits; what is found is aligned by all beams.
@@ -155,23 +158,19 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
   for (auto& alternative : result.alternatives) alternative.probability /= sum;
 
   // A map must not hold both sides of a step that may be wrong.
-  if (!result.alternatives.empty()) map_.Clear();
+  if (!result.alternatives.empty()) {
+    map_.Clear();
+    usual_unknown_ = 1.0;
+  }
   const SE2 since_entered = Between(odom_T_entered_, odom_T_robot_);
-  const bool moved_on = since_entered.translation().norm() > options_.enter_m ||
-                        std::abs(since_entered.theta) > options_.enter_rad;
+  const double density = ScanDensity(scan);
+  const bool moved_on = since_entered.translation().norm() > density * options_.enter_m ||
+                        std::abs(since_entered.theta) > density * options_.enter_rad;
   if (map_.empty() || moved_on) {
     odom_T_entered_ = odom_T_robot_;
     map_.Enter(scan, odom_T_robot_);
   }
   return result;
-}
-
-// A place that changes, or a bad scan, explains less than usual; another place explains next to
-// nothing. Who is lost believes to be back no sooner than a scan fits nearly as well as usual.
-bool ScanOdometry::IsLost(const Match& best) const {
-  const scan_matching::Evidence& e = best.evidence;
-  if (new_piece_) return e.known() < kFewBeams || e.Fit() < kBackAbove * usual_fit_;
-  return usual_fit_ * e.known() - e.explained > kFewBeams && e.Fit() < kLostBelow * usual_fit_;
 }
 
 // Loggers may stamp scans when they write them, several at once: times are taken with a pinch of
@@ -225,11 +224,14 @@ std::vector<ScanOdometry::Match> ScanOdometry::Search(const SE2& centre,
   return matches;
 }
 
-// Whether the match fits about as well as usual, and agrees with all guesses about the motion.
+// Whether the match fits about as well as usual in what has been seen before, and agrees with all
+// guesses about the motion.
 bool ScanOdometry::IsConvincing(const Match& match, const MotionPrior& prior) const {
   const double missing =
       match.evidence.known() * options_.doubt_below * usual_fit_ - match.evidence.explained;
   if (missing > kFewBeams * usual_fit_) return false;
+  const double may_be_unknown = std::max(kMostUnknown, usual_unknown_ + kMoreUnknown);
+  if (match.evidence.unknown > may_be_unknown * match.evidence.all()) return false;
   const SE2 motion = Between(odom_T_robot_, match.odom_T_robot);
   return prior.hypotheses().front().SquaredDistance(motion) < kAgrees ||
          prior.hypotheses().back().SquaredDistance(motion) < kAgrees;
@@ -238,7 +240,8 @@ bool ScanOdometry::IsConvincing(const Match& match, const MotionPrior& prior) co
 // A beam says so many nats for a pose as it fits better than usual; in unseen space, none.
 double ScanOdometry::Nats(const Match& match, double least_unknown) const {
   const scan_matching::Evidence& e = match.evidence;
-  const double free_unknown = least_unknown + kFreeUnknown * e.all();
+  const double free_unknown =
+      std::max(least_unknown, usual_unknown_ * e.all()) + kFreeUnknown * e.all();
   const double unexpected = std::max(e.unknown - free_unknown, 0.0);
   return kNatsPerBeam * (e.explained - usual_fit_ * (e.known() + unexpected));
 }
@@ -272,6 +275,10 @@ void ScanOdometry::Learn(const Match& match, double duration_s) {
   if (match.evidence.known() > 0.0) {
     usual_fit_ += kForgetting * (match.evidence.Fit() - usual_fit_);
     usual_fit_ = std::max(usual_fit_, kMinUsualFit);
+  }
+  if (match.evidence.all() > 0.0) {
+    const double unknown = match.evidence.unknown / match.evidence.all();
+    usual_unknown_ += kForgetting * (unknown - usual_unknown_);
   }
   // Scans out of order or matched wrongly seem to jump; robots do not.
   const Eigen::Vector3d motion =

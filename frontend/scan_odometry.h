@@ -50,8 +50,8 @@ class ScanOdometry {
     // often than this was a person who went by.
     double full_threshold = 0.25;
     MotionPrior::Options prior;
-    // A scan is entered into the map after this much motion. The map is given up for one of half
-    // that many scans when it holds so many.
+    // A scan is entered into the map after this much motion, one of few beams the sooner. The map
+    // is given up for one of half that many scans when it holds so many.
     double enter_m = 0.5;
     double enter_rad = 0.3;
     int map_scans = 80;
@@ -97,6 +97,7 @@ class ScanOdometry {
   Eigen::Vector3d usual_motion_ = Eigen::Vector3d::Zero();  // a twist, running mean of few scans
   double usual_duration_s_ = 0.1;                           // running mean
   double usual_fit_ = 0.6;                                  // running mean
+  double usual_unknown_ = 1.0;  // part of the beams that ends in unseen space, running mean
   WheelTrust wheel_trust_;
   int scans_ = 0;  // seen
   // Of a robot that is lost: what its scans say to each other.

@@ -7,6 +7,25 @@
 
 namespace gmapping_spa::frontend {
 
+namespace {
+
+// Parts of the usual fit.
+constexpr double kLostBelow = 0.5;
+constexpr double kBackAbove = 0.75;
+
+// Of full weight: fewer that do not fit are no proof that the robot is elsewhere.
+constexpr double kBeamsToBeLost = 8.0;
+
+}  // namespace
+
+// A place that changes, or a bad scan, explains less than usual; another place explains next to
+// nothing. Who is lost believes to be back no sooner than a scan fits nearly as well as usual.
+bool ScanOdometry::IsLost(const Match& best) const {
+  const scan_matching::Evidence& e = best.evidence;
+  if (new_piece_) return e.known() < kBeamsToBeLost || e.Fit() < kBackAbove * usual_fit_;
+  return usual_fit_ * e.known() - e.explained > kBeamsToBeLost && e.Fit() < kLostBelow * usual_fit_;
+}
+
 // The map stays as it is, for the case that the robot is seen to be where the wheels say.
 ScanMotion ScanOdometry::GoOnLost(const sensor::LaserScan& scan,
                                   const sensor::OdometryCheck::Step& wheels,

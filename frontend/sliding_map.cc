@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "frontend/map/scan_registration.h"
+#include "frontend/scan_density.h"
 
 namespace gmapping_spa::frontend {
 
@@ -54,13 +55,13 @@ SlidingMap::SlidingMap(const map::OccupancyGrid::Options& grid, int scans)
 // Enters the scan into both maps. The second one is begun when the first is half full, and takes
 // its place when that is full: the map in use always holds the last half.
 void SlidingMap::Enter(const sensor::LaserScan& scan, const SE2& odom_T_robot) {
-  if (maps_.empty() || maps_.back().scans >= scans_ / 2) {
+  if (maps_.empty() || maps_.back().scans >= 0.5 * scans_) {
     if (maps_.size() == 2) maps_.erase(maps_.begin());
     maps_.push_back({map::OccupancyGrid(grid_options_)});
   }
   for (LocalMap& local : maps_) {
     map::RegisterScan(scan, odom_T_robot, {.clear_margin_m = kClearMargin_m}, &local.grid);
-    ++local.scans;
+    local.scans += ScanDensity(scan);
   }
   search_.reset();
 }

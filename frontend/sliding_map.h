@@ -12,7 +12,8 @@
 
 namespace gmapping_spa::frontend {
 
-// Holds the last scans entered, between half of `scans` and all of them.
+// Holds the last scans entered, between half of `scans` and all of them; a scan of few beams counts
+// as a part of one, by its density.
 class SlidingMap {
  public:
   SlidingMap(const map::OccupancyGrid::Options& grid, int scans);
@@ -33,7 +34,7 @@ class SlidingMap {
  private:
   struct LocalMap {
     map::OccupancyGrid grid;
-    int scans = 0;
+    double scans = 0.0;
   };
 
   map::OccupancyGrid::Options grid_options_;

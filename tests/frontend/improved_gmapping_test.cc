@@ -47,7 +47,7 @@ class PlainGmapping : public testing::Test {
 
   // Adds a scan and tells whether it led to an update.
   bool Add(const SE2& world_T_robot) {
-    sensor::LaserScan scan = synthetic::Scan(synthetic::Room(), world_T_robot, {.beams = 91});
+    sensor::LaserScan scan = synthetic::Scan(synthetic::Room(), world_T_robot, {.beams = 181});
     scan.index = next_index_++;
     scan.stamp_s = 0.1 * static_cast<double>(scan.index);
     scan.odom_T_robot = odom_T_world_ * world_T_robot;

@@ -125,11 +125,13 @@ TEST(ScanOdometry, PlacesThatFitAlikeComeBackAsAlternatives) {
   std::vector<Eigen::Vector2d> comb;
   for (int i = -60; i < 60; ++i) {
     const double x = 0.5 * i;
-    comb.insert(comb.end(), {{x, 1.0}, {x + 0.25, 1.0}, {x + 0.25, 1.3}, {x + 0.5, 1.3}});
+    comb.insert(comb.end(), {{x, 2.0}, {x + 0.25, 2.0}, {x + 0.25, 2.3}, {x + 0.5, 2.3}});
   }
-  synthetic::Walls walls = synthetic::Corridor(0.0);
-  walls.pop_back();
-  for (std::size_t i = 0; i + 1 < comb.size(); ++i) walls.push_back({comb[i], comb[i + 1]});
+  synthetic::Walls walls;
+  for (std::size_t i = 0; i + 1 < comb.size(); ++i) {
+    walls.push_back({comb[i], comb[i + 1]});
+    walls.push_back({-comb[i], -comb[i + 1]});
+  }
   Drive drive(walls, {.beams = 360, .field_of_view_rad = 359 * kDeg, .usable_range_m = 6.0});
   for (int step = 0; step <= 10; ++step) drive.To({0, 0, 0});
   const ScanMotion motion = drive.To({0.25, 0, 0}, {{}, OdometryFault::kRestart});

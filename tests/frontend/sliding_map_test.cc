@@ -40,7 +40,9 @@ bool Same(const map::OccupancyGrid& a, const map::OccupancyGrid& b) {
 
 map::OccupancyGrid MapOf(int first, int last) {
   map::OccupancyGrid grid({});
-  for (int k = first; k <= last; ++k) map::RegisterScan(ScanAt(Place(k)), Place(k), {}, &grid);
+  for (int k = first; k <= last; ++k) {
+    map::RegisterScan(ScanAt(Place(k)), Place(k), {.clear_margin_m = 0.2}, &grid);
+  }
   return grid;
 }
 
@@ -63,6 +65,18 @@ TEST(SlidingMap, HoldsTheLastScansBetweenHalfOfThemAndAll) {
     EXPECT_GE(held, std::min(k + 1, kScans / 2)) << k;
     EXPECT_LE(held, kScans) << k;
   }
+}
+
+TEST(SlidingMap, HoldsMoreScansOfFewBeams) {
+  SlidingMap map({}, 2);
+  for (int k = 0; k < 8; ++k) {
+    sensor::LaserScan scan = ScanAt(Place(k));
+    scan.beams.resize(18);  // worth a twenty-fifth
+    map.Enter(scan, Place(k));
+  }
+  const map::CellIndex laser{map::FloorToCell(Place(0).x / 0.05),
+                             map::FloorToCell(Place(0).y / 0.05)};
+  EXPECT_GT(map.grid().cell(laser).visits, 0);  // the first scan is still there
 }
 
 TEST(SlidingMap, ForgetsEverythingWhenCleared) {

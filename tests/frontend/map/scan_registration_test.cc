@@ -32,6 +32,20 @@ TEST(RegisterScan, CountsAHitAtTheEndAndPassesOnTheWay) {
   EXPECT_EQ(grid.cell({11, 0}).visits, 0);
 }
 
+TEST(RegisterScan, TheMarginBeforeAHitIsNotCleared) {
+  OccupancyGrid grid = Grid();
+  RegisterScan(OneBeam(0.0, 1.0, BeamStatus::kHit), {0.05, 0.05, 0.0}, {.clear_margin_m = 0.3},
+               &grid);
+  for (int x = 0; x < 10; ++x) EXPECT_EQ(grid.cell({x, 0}).visits, x < 7 ? 1 : 0) << x;
+  EXPECT_EQ(grid.cell({10, 0}).hits, 1);
+  // A margin longer than the beam clears nothing, and nothing behind the laser.
+  OccupancyGrid near = Grid();
+  RegisterScan(OneBeam(0.0, 0.2, BeamStatus::kHit), {0.05, 0.05, 0.0}, {.clear_margin_m = 0.3},
+               &near);
+  for (int x = -3; x < 2; ++x) EXPECT_EQ(near.cell({x, 0}).visits, 0) << x;
+  EXPECT_EQ(near.cell({2, 0}).hits, 1);
+}
+
 TEST(RegisterScan, HonoursThePoseOfTheRobotAndTheMountingOfTheLaser) {
   OccupancyGrid grid = Grid();
   sensor::LaserScan scan = OneBeam(kQuarterTurn, 1.0, BeamStatus::kHit);

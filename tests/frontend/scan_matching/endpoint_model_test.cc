@@ -111,16 +111,17 @@ TEST_F(RandomPoses, EvidenceIsThatOfTheMapItself) {
     Evidence expected;
     for (const ScanPoint& point : points_) {
       if (const std::optional<double> squared = SquaredDistance(grid_, point, pose)) {
-        expected.at_surface += 1.0;
-        expected.explained += std::exp(-0.5 * *squared / (0.04 * 0.04));
+        expected.at_surface += point.weight;
+        expected.explained += point.weight * std::exp(-0.5 * *squared / (0.04 * 0.04));
       } else {
-        (EndsInUnseenSpace(grid_, point, pose) ? expected.unknown : expected.contradicted) += 1.0;
+        (EndsInUnseenSpace(grid_, point, pose) ? expected.unknown : expected.contradicted) +=
+            point.weight;
       }
     }
     const Evidence found = model_.Evaluate(pose);
-    ASSERT_EQ(found.at_surface, expected.at_surface);
-    ASSERT_EQ(found.unknown, expected.unknown);
-    ASSERT_EQ(found.contradicted, expected.contradicted);
+    ASSERT_NEAR(found.at_surface, expected.at_surface, 1e-9);
+    ASSERT_NEAR(found.unknown, expected.unknown, 1e-9);
+    ASSERT_NEAR(found.contradicted, expected.contradicted, 1e-9);
     ASSERT_NEAR(found.explained, expected.explained, 1e-3);
     unknown += found.unknown;
     contradicted += found.contradicted;

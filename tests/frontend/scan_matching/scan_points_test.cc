@@ -27,6 +27,18 @@ TEST(MakeScanPoints, KeepsTheHitsInTheirOrder) {
   EXPECT_EQ(points[1].x_m, 2.0);
 }
 
+TEST(MakeScanPoints, BeamsThatEndCloseTogetherCountLess) {
+  sensor::LaserScan scan;
+  for (int i = 0; i < 5; ++i) scan.beams.push_back({0.02 * i, 1.0 + i, BeamStatus::kHit});
+  scan.beams.push_back({0.1, 0.2, BeamStatus::kHit});
+  scan.beams.push_back({0.12, 30.0, BeamStatus::kHit});
+  const ScanPoints points = MakeScanPoints(scan);
+  ASSERT_EQ(points.size(), 7u);
+  for (int i = 0; i < 5; ++i) EXPECT_NEAR(points[i].weight, 0.2 * (1.0 + i), 1e-12) << i;
+  EXPECT_EQ(points[5].weight, 0.1);  // a covered laser must be seen to be one
+  EXPECT_EQ(points[6].weight, 1.0);
+}
+
 TEST(MakeScanPoints, AreInTheRobotFrameAndPointBackToTheLaser) {
   sensor::LaserScan scan;
   scan.odom_T_robot = {100, 200, 1};  // must not matter
