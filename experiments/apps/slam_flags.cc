@@ -23,9 +23,11 @@ DEFINE_int32(threads, kSlam.filter.threads,
              "Threads for the particles; the results do not depend on it.");
 
 DEFINE_double(linear_update_m, kSlam.linear_update_m,
-              "The filter is updated after this much driving.");
+              "The filter is updated after this much driving, m; with scans of fewer than 90 beams "
+              "sooner, by the square of their number.");
 DEFINE_double(angular_update_rad, kSlam.angular_update_rad,
-              "The filter is updated after this much turning.");
+              "The filter is updated after this much turning, rad; with scans of fewer than 90 beams "
+              "sooner, as with --linear_update_m.");
 DEFINE_double(resample_threshold, kSlam.filter.resample_threshold,
               "Resample when N_eff is below this part of the number of particles.");
 DEFINE_string(
