@@ -98,7 +98,9 @@ bool EndpointModel::IsUnknown(const EndPoint& end) const {
 
 double EndpointModel::LogLikelihood(const backend::SE2& world_T_robot) {
   if (points_->empty()) return 0.0;
-  const std::size_t stride = (points_->size() + kEnoughBeams - 1) / kEnoughBeams;
+  // Plain GMapping takes all beams.
+  const std::size_t stride =
+      unseen_is_miss_ ? 1 : (points_->size() + kEnoughBeams - 1) / kEnoughBeams;
   double sum = 0.0;
   std::size_t beams = 0;
   ForEachBeam(world_T_robot, stride, [&](std::size_t, const EndPoint& end) {
