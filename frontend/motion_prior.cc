@@ -38,7 +38,8 @@ MotionPrior::MotionPrior(const Options& options, const std::optional<WheelMotion
     const double angular_rad = std::abs(wheels->motion.theta);
     hypotheses_.push_back(
         {.motion = wheels->motion,
-         .sigma_m = wheels->sigma_factor * (options.floor_m + options.m_per_m * linear_m),
+         .sigma_m = wheels->sigma_factor * (options.floor_m + options.m_per_m * linear_m +
+                                            options.m_per_rad * angular_rad),
          .sigma_rad = wheels->sigma_factor * (options.floor_rad + options.rad_per_m * linear_m +
                                               options.rad_per_rad * angular_rad),
          .weight = 1.0 - wheels->wrong});

@@ -41,6 +41,7 @@ class MotionPrior {
     // Standard deviations of the wheels' increment.
     double floor_m = 0.01;
     double m_per_m = 0.1;
+    double m_per_rad = 0.05;  // where the laser sits on the robot is known roughly
     double floor_rad = 0.005;
     double rad_per_m = 0.05;
     double rad_per_rad = 0.1;

@@ -11,7 +11,6 @@
 namespace gmapping_spa::frontend {
 
 using backend::SE2;
-using scan_matching::CorrelativeMatch;
 using sensor::OdometryFault;
 
 namespace {
@@ -51,8 +50,6 @@ constexpr double kMoreUnknown = 0.3;
 constexpr double kFewBeams = 4.0;
 
 constexpr int kScansToKnowVelocity = 3;
-// About so many, evenly spread, tell where a scan fits; what is found is aligned by all beams.
-constexpr std::size_t kSearchBeams = 100;
 
 // Half widths of the windows that are searched, one after the other until a match convinces.
 struct Window {
@@ -119,23 +116,18 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
     for (const Window& window : kWindows) {
       if (IsConvincing(matches.front(), prior)) break;
       result.searched = true;
-      // The robot may go on as before, or have been stopped or turned.
       const scan_matching::SearchWindow within{std::min(window.linear_m, prior.reach_m()),
                                                std::min(window.angular_rad, prior.reach_rad())};
-      const SE2& as_before = prior.hypotheses().back().motion;
-      for (const SE2& motion : {as_before, SE2{}}) {
-        for (const Match& match : Search(before * motion, within)) matches.push_back(match);
-        if (as_before.translation().norm() < 0.5 * within.linear_m &&
-            std::abs(as_before.theta) < 0.5 * within.angular_rad) {
-          break;  // the one window holds standing still and what is around it, too
-        }
+      for (const SE2& centre : SearchCentres(prior, within)) {
+        for (const Match& match : Search(before * centre, within)) matches.push_back(match);
       }
       Rank(prior, &matches);
     }
   }
   const Match& best = matches.front();
-  if (IsLost(best)) return GoOnLost(scan, wheels, guess);
+  if (IsLost(best)) return GoOnLost(best, scan, wheels, guess);
   new_piece_.reset();
+  result.matched = !IsDoubtful(best);
   Learn(best, duration_s);
   odom_T_robot_ = best.odom_T_robot;
   result.motion = Between(before, odom_T_robot_);
@@ -157,16 +149,17 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
   if (result.alternatives.size() == 1) result.alternatives.clear();
   for (auto& alternative : result.alternatives) alternative.probability /= sum;
 
-  // A map must not hold both sides of a step that may be wrong.
-  if (!result.alternatives.empty()) {
+  // A map must not hold both sides of a step that may be wrong. One scan of few beams is no map.
+  const double density = ScanDensity(scan);
+  const bool is_ambiguous = !result.alternatives.empty();
+  if (is_ambiguous && density == 1.0) {
     map_.Clear();
     usual_unknown_ = 1.0;
   }
   const SE2 since_entered = Between(odom_T_entered_, odom_T_robot_);
-  const double density = ScanDensity(scan);
   const bool moved_on = since_entered.translation().norm() > density * options_.enter_m ||
                         std::abs(since_entered.theta) > density * options_.enter_rad;
-  if (map_.empty() || moved_on) {
+  if (map_.empty() || (moved_on && result.matched && !is_ambiguous)) {
     odom_T_entered_ = odom_T_robot_;
     map_.Enter(scan, odom_T_robot_);
   }
@@ -194,34 +187,6 @@ ScanOdometry::Match ScanOdometry::Track(const SE2& initial,
   scan_matching::EndpointModel model(options_.endpoint, &map_.grid(), &points_);
   match.evidence = model.Evaluate(match.odom_T_robot);
   return match;
-}
-
-// The best and the second best match of a window.
-std::vector<ScanOdometry::Match> ScanOdometry::Search(const SE2& centre,
-                                                      const scan_matching::SearchWindow& window) {
-  std::vector<Eigen::Vector2d> positions;
-  double reach_m = 1.0;
-  const std::size_t stride = 1 + points_.size() / kSearchBeams;
-  for (std::size_t k = 0; k < points_.size(); ++k) {
-    const scan_matching::ScanPoint& point = points_[k];
-    if (k % stride == 0) positions.emplace_back(point.x_m, point.y_m);
-    reach_m = std::max(reach_m, std::hypot(point.x_m, point.y_m));
-  }
-  scan_matching::CorrelativeMatcher::Options search;
-  search.min_score = 0.2;
-  search.second_floor = 0.8;
-  search.peak_separation_m = 0.2;
-  search.with_covariance = false;
-  const CorrelativeMatch found =
-      map_.Search(search, odom_T_robot_, reach_m + 1.5).Match(positions, centre, window);
-  std::vector<Match> matches;
-  if (!found.found) return matches;
-  const MotionHypothesis weak{.motion = {}, .sigma_m = 0.1, .sigma_rad = 0.1};
-  matches.push_back(Track(found.map_T_scan, weak));
-  if (found.second_map_T_scan != found.map_T_scan) {
-    matches.push_back(Track(found.second_map_T_scan, weak));
-  }
-  return matches;
 }
 
 // Whether the match fits about as well as usual in what has been seen before, and agrees with all

@@ -58,7 +58,9 @@ class ScanOdometry {
     // A match that fits less than this part of what recent scans did is looked into.
     double doubt_below = 0.85;
     // A robot whose scans fit nothing before, but each other, for so long begins a new piece.
+    // What only makes beams shorter may stand in front of the laser, for longer.
     double new_piece_s = 1.0;
+    double new_piece_if_hidden_s = 10.0;
     int new_piece_scans = 5;
   };
 
@@ -75,12 +77,16 @@ class ScanOdometry {
     double log_posterior = 0.0;  // up to a constant
   };
 
-  bool IsLost(const Match& best) const;
-  ScanMotion GoOnLost(const sensor::LaserScan& scan, const sensor::OdometryCheck::Step& wheels,
+  bool IsLost(const Match& match) const;
+  bool IsDoubtful(const Match& match);
+  ScanMotion GoOnLost(const Match& best, const sensor::LaserScan& scan,
+                      const sensor::OdometryCheck::Step& wheels,
                       const std::optional<WheelMotion>& guess);
   double DurationRatio(double duration_s) const;
   MotionPrior MakePrior(const std::optional<WheelMotion>& wheels, double duration_s) const;
   Match Track(const backend::SE2& initial, const MotionHypothesis& hypothesis) const;
+  static std::vector<backend::SE2> SearchCentres(const MotionPrior& prior,
+                                                 const scan_matching::SearchWindow& window);
   std::vector<Match> Search(const backend::SE2& centre, const scan_matching::SearchWindow& window);
   bool IsConvincing(const Match& match, const MotionPrior& prior) const;
   double Nats(const Match& match, double least_unknown) const;
@@ -99,11 +105,15 @@ class ScanOdometry {
   double usual_fit_ = 0.6;                                  // running mean
   double usual_unknown_ = 1.0;  // part of the beams that ends in unseen space, running mean
   WheelTrust wheel_trust_;
-  int scans_ = 0;  // seen
+  int scans_ = 0;           // seen
+  int doubtful_scans_ = 0;  // in a row
   // Of a robot that is lost: what its scans say to each other.
   std::unique_ptr<ScanOdometry> new_piece_;
   double new_piece_begin_s_ = 0.0;  // stamp of its first scan
   int new_piece_scans_ = 0;         // since then
+  // Numbers of beams in all these scans, at where the robot would be if it were not lost.
+  double seen_through_ = 0.0;
+  double contradicted_ = 0.0;
 };
 
 }  // namespace gmapping_spa::frontend

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "frontend/scan_matching/seen_through.h"
 #include "frontend/scan_odometry.h"
 
 namespace gmapping_spa::frontend {
@@ -15,19 +16,37 @@ constexpr double kBackAbove = 0.75;
 
 // Of full weight: fewer that do not fit are no proof that the robot is elsewhere.
 constexpr double kBeamsToBeLost = 8.0;
+constexpr double kBeamsToDoubt = 2.0;
+
+// Part of the beams which contradict a pose, of those that pass through walls as well. With less of
+// them something may stand in front of the laser.
+constexpr double kElsewhere = 0.5;
+
+// So many bad scans in a row show a place that has changed.
+constexpr int kDoubtfulScans = 3;
 
 }  // namespace
 
 // A place that changes, or a bad scan, explains less than usual; another place explains next to
 // nothing. Who is lost believes to be back no sooner than a scan fits nearly as well as usual.
-bool ScanOdometry::IsLost(const Match& best) const {
-  const scan_matching::Evidence& e = best.evidence;
+bool ScanOdometry::IsLost(const Match& match) const {
+  const scan_matching::Evidence& e = match.evidence;
   if (new_piece_) return e.known() < kBeamsToBeLost || e.Fit() < kBackAbove * usual_fit_;
   return usual_fit_ * e.known() - e.explained > kBeamsToBeLost && e.Fit() < kLostBelow * usual_fit_;
 }
 
+// Fits badly by too few beams for the robot to be lost. Whether the scan is where it seems to be,
+// the next ones show; until then it is not to be a part of the map that they are matched with.
+bool ScanOdometry::IsDoubtful(const Match& match) {
+  const scan_matching::Evidence& e = match.evidence;
+  const bool is_bad =
+      usual_fit_ * e.known() - e.explained > kBeamsToDoubt && e.Fit() < kLostBelow * usual_fit_;
+  doubtful_scans_ = is_bad ? doubtful_scans_ + 1 : 0;
+  return is_bad && doubtful_scans_ <= kDoubtfulScans;
+}
+
 // The map stays as it is, for the case that the robot is seen to be where the wheels say.
-ScanMotion ScanOdometry::GoOnLost(const sensor::LaserScan& scan,
+ScanMotion ScanOdometry::GoOnLost(const Match& best, const sensor::LaserScan& scan,
                                   const sensor::OdometryCheck::Step& wheels,
                                   const std::optional<WheelMotion>& guess) {
   ScanMotion result;
@@ -47,9 +66,14 @@ ScanMotion ScanOdometry::GoOnLost(const sensor::LaserScan& scan,
     new_piece_->Advance(scan, wheels);
     new_piece_begin_s_ = scan.stamp_s;
     new_piece_scans_ = 1;
+    seen_through_ = contradicted_ = 0.0;
   }
+  seen_through_ += scan_matching::SeenThrough(map_.grid(), points_, best.odom_T_robot);
+  contradicted_ += best.evidence.contradicted;
+  const bool is_elsewhere = seen_through_ > kElsewhere * contradicted_;
   if (new_piece_scans_ >= options_.new_piece_scans &&
-      scan.stamp_s - new_piece_begin_s_ >= options_.new_piece_s) {
+      scan.stamp_s - new_piece_begin_s_ >=
+          (is_elsewhere ? options_.new_piece_s : options_.new_piece_if_hidden_s)) {
     result.matched = true;
     result.new_piece_scans = new_piece_scans_;
     const std::unique_ptr<ScanOdometry> piece = std::move(new_piece_);

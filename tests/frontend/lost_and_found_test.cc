@@ -50,6 +50,13 @@ class LostAndFound : public testing::Test {
     }
   }
 
+  // What goes along with the robot and hides all around it, the same for each scan.
+  void Cover(std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k <= last; ++k) {
+      for (sensor::Beam& beam : scans_[k].beams) beam.range_m = std::min(beam.range_m, 1.2);
+    }
+  }
+
   void Run() {
     ImprovedGmapping::Options options;
     options.filter.particles = 2;
@@ -145,6 +152,15 @@ TEST_F(LostAndFound, NonsenseForALongTimeBeginsNoPieceAndIsNotDrawn) {
   EXPECT_TRUE(gmapping_->health().stretches().contains("lost"));
   EXPECT_LT(LargestError(0, scans_.size() - 1), 0.1);
   EXPECT_LT(DrawnOver(estimate_->map, undisturbed), 0.02);
+}
+
+TEST_F(LostAndFound, ACoverForSecondsIsNoOtherPlace) {
+  Drive(0, 40, synthetic::Hall());
+  Cover(100, 120);
+  Run();
+  EXPECT_EQ(gmapping_->counts().pieces, 1);
+  EXPECT_GE(Count("unmatched_scan"), 10);
+  EXPECT_LT(LargestError(0, scans_.size() - 1), 0.15);
 }
 
 TEST_F(LostAndFound, AHealthyRobotIsNeverLost) {
