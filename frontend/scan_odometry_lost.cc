@@ -21,6 +21,8 @@ constexpr double kBeamsToDoubt = 2.0;
 // Part of the beams which contradict a pose, of those that pass through walls as well. With less of
 // them something may stand in front of the laser.
 constexpr double kElsewhere = 0.5;
+// Of all scans since the robot was lost: a few scans of few beams prove little.
+constexpr double kBeamsToBeElsewhere = 100.0;
 
 // So many bad scans in a row show a place that has changed.
 constexpr int kDoubtfulScans = 3;
@@ -70,7 +72,8 @@ ScanMotion ScanOdometry::GoOnLost(const Match& best, const sensor::LaserScan& sc
   }
   seen_through_ += scan_matching::SeenThrough(map_.grid(), points_, best.odom_T_robot);
   contradicted_ += best.evidence.contradicted;
-  const bool is_elsewhere = seen_through_ > kElsewhere * contradicted_;
+  const bool is_elsewhere =
+      seen_through_ > kElsewhere * contradicted_ && seen_through_ > kBeamsToBeElsewhere;
   if (new_piece_scans_ >= options_.new_piece_scans &&
       scan.stamp_s - new_piece_begin_s_ >=
           (is_elsewhere ? options_.new_piece_s : options_.new_piece_if_hidden_s)) {

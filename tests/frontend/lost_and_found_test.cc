@@ -60,6 +60,7 @@ class LostAndFound : public testing::Test {
   void Run() {
     ImprovedGmapping::Options options;
     options.filter.particles = 2;
+    options.filter.edges.measurement = particle_filter::EdgeModel::Measurement::kControl;
     gmapping_ = std::make_unique<ImprovedGmapping>(
         options,
         std::make_shared<scan_matching::GaussNewton>(scan_matching::GaussNewton::Options{},
