@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "frontend/scan_density.h"
+#include "frontend/scan_matching/seen_through.h"
 
 namespace gmapping_spa::frontend {
 
@@ -211,8 +212,18 @@ double ScanOdometry::Nats(const Match& match, double least_unknown) const {
   return kNatsPerBeam * (e.explained - usual_fit_ * (e.known() + unexpected));
 }
 
-// Sorts by the posterior and leaves out what is the same.
+// Sorts by the posterior and leaves out what is the same. Far behind a wall all is unseen: whoever
+// has to see through walls to get there is not where the match says.
 void ScanOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) const {
+  for (Match& match : *matches) {
+    if (match.is_seen_through_counted) continue;
+    match.is_seen_through_counted = true;
+    const double behind = std::min(
+        match.evidence.unknown,
+        scan_matching::CountSeenThrough(map_.grid(), points_, match.odom_T_robot).into_unseen);
+    match.evidence.unknown -= behind;
+    match.evidence.contradicted += behind;
+  }
   double least_unknown = 1e9;
   for (const Match& match : *matches) {
     least_unknown = std::min(least_unknown, match.evidence.unknown);

@@ -74,7 +74,8 @@ class ScanOdometry {
   struct Match {
     backend::SE2 odom_T_robot;
     scan_matching::Evidence evidence;
-    double log_posterior = 0.0;  // up to a constant
+    bool is_seen_through_counted = false;  // beams that end behind walls, as contradicted
+    double log_posterior = 0.0;            // up to a constant
   };
 
   bool IsLost(const Match& match) const;

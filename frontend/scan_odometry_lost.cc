@@ -70,7 +70,7 @@ ScanMotion ScanOdometry::GoOnLost(const Match& best, const sensor::LaserScan& sc
     new_piece_scans_ = 1;
     seen_through_ = contradicted_ = 0.0;
   }
-  seen_through_ += scan_matching::SeenThrough(map_.grid(), points_, best.odom_T_robot);
+  seen_through_ += scan_matching::CountSeenThrough(map_.grid(), points_, best.odom_T_robot).all;
   contradicted_ += best.evidence.contradicted;
   const bool is_elsewhere =
       seen_through_ > kElsewhere * contradicted_ && seen_through_ > kBeamsToBeElsewhere;

@@ -10,21 +10,25 @@ namespace {
 // pose that is a little off; and a laser sees nothing so near to itself.
 constexpr double kMargin_m = 0.3;
 
+map::CellIndex CellAt(const Eigen::Vector2d& in_cells) {
+  return {map::FloorToCell(in_cells.x()), map::FloorToCell(in_cells.y())};
+}
+
 }  // namespace
 
-double SeenThrough(const map::OccupancyGrid& grid, const ScanPoints& points,
-                   const backend::SE2& world_T_robot) {
+SeenThrough CountSeenThrough(const map::OccupancyGrid& grid, const ScanPoints& points,
+                             const backend::SE2& world_T_robot) {
   const double cells_per_m = 1.0 / grid.resolution_m();
   const double margin = kMargin_m * cells_per_m;
-  double through = 0.0;
+  SeenThrough through;
   const Eigen::Rotation2Dd rotation(world_T_robot.theta);
   for (const ScanPoint& point : points) {
     const Eigen::Vector2d end = world_T_robot * Eigen::Vector2d(point.x_m, point.y_m) * cells_per_m;
     const Eigen::Vector2d back = rotation * Eigen::Vector2d(point.back_x, point.back_y);
     for (double k = margin; k < point.range_m * cells_per_m - margin; ++k) {
-      const Eigen::Vector2d at = end + k * back;
-      if (grid.FullBits({map::FloorToCell(at.x()), map::FloorToCell(at.y())}) & 1u) {
-        through += point.weight;
+      if (grid.FullBits(CellAt(end + k * back)) & 1u) {
+        through.all += point.weight;
+        if (grid.cell(CellAt(end)).visits == 0) through.into_unseen += point.weight;
         break;
       }
     }

@@ -10,8 +10,13 @@ namespace gmapping_spa::scan_matching {
 
 // Number of beams, each with its ScanPoint::weight, that pass through full cells of the map and end
 // farther away. Whoever stands in front of a laser makes beams shorter, never longer.
-double SeenThrough(const map::OccupancyGrid& grid, const ScanPoints& points,
-                   const backend::SE2& world_T_robot);
+struct SeenThrough {
+  double all = 0.0;
+  double into_unseen = 0.0;  // of these, the beams that end where no beam has been
+};
+
+SeenThrough CountSeenThrough(const map::OccupancyGrid& grid, const ScanPoints& points,
+                             const backend::SE2& world_T_robot);
 
 }  // namespace gmapping_spa::scan_matching
 

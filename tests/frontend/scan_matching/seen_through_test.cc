@@ -16,7 +16,7 @@ template <typename Change>
 double Through(const Change& change) {
   sensor::LaserScan scan = synthetic::Scan(synthetic::Room(), kPose);
   for (sensor::Beam& beam : scan.beams) change(&beam.range_m);
-  return SeenThrough(synthetic::RoomMap(), MakeScanPoints(scan), kPose);
+  return CountSeenThrough(synthetic::RoomMap(), MakeScanPoints(scan), kPose).all;
 }
 
 double AllBeams() {
@@ -39,8 +39,17 @@ TEST(SeenThrough, BeamsThatEndBehindTheirWallsAllPassThroughThem) {
   EXPECT_GT(Through([](double* range_m) { *range_m += 1.0; }), 0.95 * AllBeams());
 }
 
+TEST(SeenThrough, TellsWhetherBeamsEndWhereNoneHasBeen) {
+  sensor::LaserScan scan = synthetic::Scan(synthetic::Room(), kPose);
+  for (sensor::Beam& beam : scan.beams) beam.range_m += 20.0;
+  const ScanPoints points = MakeScanPoints(scan);
+  const SeenThrough through = CountSeenThrough(synthetic::RoomMap(), points, kPose);
+  EXPECT_EQ(through.into_unseen, through.all);
+  EXPECT_GT(through.all, 0.0);
+}
+
 TEST(SeenThrough, AScanWithoutHitsPassesThroughNothing) {
-  EXPECT_EQ(SeenThrough(synthetic::RoomMap(), {}, kPose), 0.0);
+  EXPECT_EQ(CountSeenThrough(synthetic::RoomMap(), {}, kPose).all, 0.0);
 }
 
 }  // namespace
