@@ -66,6 +66,12 @@ void ControlInput::ReportMatch(const ScanMotion& motion, const OdometryCheck::St
     health_->Report("odometry_late", stamp_s,
                     "the odometry tells motions later than the scans; it is used with its delay");
   }
+  if (motion.wheels_mirrored) {
+    health_->Report("odometry_mirrored", stamp_s,
+                    "the odometry turns the other way than the scans: either the laser is mounted "
+                    "upside down, and the map is mirrored (--laser_flipped), or the odometry's "
+                    "angle has the wrong sign");
+  }
   if (motion.wheels_rejected && wheels.fault == OdometryFault::kNone) {
     health_->Report("odometry_contradicted", stamp_s,
                     "the scan contradicts the odometry by more than it is trusted");

@@ -140,6 +140,7 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
   }
   result.wheels_silent = wheel_trust_.silent() && Moves(result.motion);
   result.wheels_late = guess && wheel_trust_.late();
+  result.wheels_mirrored = wheel_trust_.mirrored();
   double sum = 0.0;
   for (const Match& match : matches) {
     const double nats = match.log_posterior - best.log_posterior;

@@ -31,6 +31,7 @@ struct ScanMotion {
   bool wheels_rejected = false;  // whether the motion is not what the wheels say
   bool wheels_silent = false;    // whether the wheels stand still while the robot moves
   bool wheels_late = false;      // whether the wheels tell motions later than the scans
+  bool wheels_mirrored = false;  // whether the wheels turn the other way than the scans
   bool matched = true;           // whether the scan fits what was seen before
   // Where the robot was lost, and the last scans fit each other: so many, this one included, are
   // the begin of a new piece of map; how it lies to what was before is not known. Else zero.

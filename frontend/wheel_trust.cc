@@ -16,6 +16,7 @@ constexpr double kMinWrong = 0.01, kMaxWrong = 0.5;
 constexpr double kMaxError = 100.0;   // of one scan, so that a slip does not count for all
 constexpr double kContradicts = 9.0;  // squared standard deviations
 constexpr int kSilentScans = 3;
+constexpr double kTurns_rad = 0.02;  // more than what scans and wheels are off by
 
 }  // namespace
 
@@ -49,6 +50,11 @@ void WheelTrust::Learn(const SE2& motion, const MotionHypothesis& guess) {
   wrong_ += kForgetting * ((contradicted ? 1.0 : 0.0) - wrong_);
   if (unchanged_) {
     contradicted_while_unchanged_ = contradicted ? contradicted_while_unchanged_ + 1 : 0;
+  }
+  const double turn_rad = std::min(std::abs(step_.theta), std::abs(motion.theta));
+  if (turn_rad > kTurns_rad) {
+    turned_rad_ += turn_rad;
+    opposite_rad_ += step_.theta * motion.theta < 0.0 ? turn_rad : 0.0;
   }
   Learn(motion);
 }

@@ -23,14 +23,19 @@ class WheelTrust {
   void Learn(const backend::SE2& motion);
 
   // Whether readings come later than the scans that they belong to.
-  bool late() const {
-    return step_error_ > kPoorError && late_error_ < kLateBelow * step_error_;
-  }
+  bool late() const { return step_error_ > kPoorError && late_error_ < kLateBelow * step_error_; }
   bool silent() const { return silent_; }
+  // Whether wheels and scans have turned opposite ways over some whole turns: one of them is
+  // mirrored.
+  bool mirrored() const {
+    return turned_rad_ > kTurnedToJudge_rad && opposite_rad_ > kOpposite * turned_rad_;
+  }
 
  private:
   static constexpr double kPoorError = 3.0;  // below it, they do as they are
   static constexpr double kLateBelow = 0.5;
+  static constexpr double kTurnedToJudge_rad = 6.0;
+  static constexpr double kOpposite = 0.8;
 
   backend::SE2 Owed() const { return owed_ * step_; }
 
@@ -47,6 +52,9 @@ class WheelTrust {
   double step_error_ = 1.0;
   double late_error_ = 1.0;
   double wrong_ = 0.01;  // share of the scans that contradict the wheels
+  // Of all steps in which both turned: by how much, and in how much of it the opposite ways.
+  double turned_rad_ = 0.0;
+  double opposite_rad_ = 0.0;
 };
 
 }  // namespace gmapping_spa::frontend

@@ -96,6 +96,18 @@ TEST_F(WheelTrustOnADrive, NoisyWheelsAreBelievedAsFarAsTheirNoiseAllows) {
   EXPECT_FALSE(trust_.late());
 }
 
+TEST_F(WheelTrustOnADrive, WheelsThatTurnTheOtherWayAreMirrored) {
+  const SE2 turn{0.05, 0.0, 0.1};
+  for (int i = 0; i < 70; ++i) Take({{turn.x, turn.y, -turn.theta}}, turn);
+  EXPECT_TRUE(trust_.mirrored());
+}
+
+TEST_F(WheelTrustOnADrive, WheelsThatTurnAsTheRobotDoesAreNotMirrored) {
+  const SE2 turn{0.05, 0.0, 0.1};
+  for (int i = 0; i < 70; ++i) Take({turn}, turn);
+  EXPECT_FALSE(trust_.mirrored());
+}
+
 TEST_F(WheelTrustOnADrive, OneSlipIsForgotten) {
   DriveWell(50);
   Take({kStep * SE2{1.0, 0, 1.0}}, kStep);
