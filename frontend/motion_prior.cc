@@ -46,8 +46,8 @@ MotionPrior::MotionPrior(const Options& options, const std::optional<WheelMotion
   }
   hypotheses_.push_back(going_on);
   reach_m_ = std::max(options.max_speed_m_s * duration_s, going_on.sigma_m);
-  reach_rad_ = std::min(std::max(options.max_turn_rad_s * duration_s, going_on.sigma_rad),
-                        std::numbers::pi);
+  reach_rad_ =
+      std::min(std::max(options.max_turn_rad_s * duration_s, going_on.sigma_rad), std::numbers::pi);
   anything_density_ = options.anything / (4.0 * reach_m_ * reach_m_ * 2.0 * reach_rad_);
 }
 
