@@ -44,9 +44,7 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
   // Steps 4' and 6: what the graph thread has found out corrects the particles.
   if (const auto optimized = graph_thread_.Advance()) TakeOver(*optimized);
 
-  // Updates cost more than scans entered into the map of the last metres.
-  const double density = std::pow(ScanDensity(scan), 0.75);
-  const bool is_update = (UpdateIsDue(u, density) || ambiguous) && motion.matched;
+  const bool is_update = (UpdateIsDue(u, UpdateDensity(scan)) || ambiguous) && motion.matched;
   // In units of what triggers an update; the 1e-9 spreads by number of scans if nothing moved.
   const double amount = u.translation().norm() / std::max(options_.linear_update_m, 1e-3) +
                         std::abs(u.theta) / std::max(options_.angular_update_rad, 1e-3) + 1e-9;

@@ -3,6 +3,7 @@
 #define GMAPPING_SPA_FRONTEND_SCAN_DENSITY_H_
 
 #include <algorithm>
+#include <cmath>
 
 #include "frontend/sensor/laser_scan.h"
 
@@ -17,6 +18,12 @@ inline constexpr double kDenseBeams = 90.0;
 inline double ScanDensity(const sensor::LaserScan& scan) {
   const double part = std::clamp(static_cast<double>(scan.beams.size()) / kDenseBeams, 0.1, 1.0);
   return part * part;
+}
+
+// The same for an update of the filter, which costs more than entering a scan into the map of the
+// last metres: falls with the number of beams to the power of 1.5.
+inline double UpdateDensity(const sensor::LaserScan& scan) {
+  return std::pow(ScanDensity(scan), 0.75);
 }
 
 }  // namespace gmapping_spa::frontend

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "frontend/scan_density.h"
-#include "frontend/scan_matching/seen_through.h"
 
 namespace gmapping_spa::frontend {
 
@@ -110,8 +109,13 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
   // At first the velocity is not known, and a map of one scan says that nothing has moved.
   const bool guesses_agree = scans_ < kScansToKnowVelocity || prior.GuessesAgree();
   if (!guesses_agree || !IsConvincing(matches.front(), prior)) {
+    CountBehindWalls(&matches.front());
+    const auto consider = [&](Match match) {
+      CountBehindWalls(&match);
+      matches.push_back(match);
+    };
     for (std::size_t k = 1; k < prior.hypotheses().size(); ++k) {
-      matches.push_back(Track(before * prior.hypotheses()[k].motion, prior.hypotheses()[k]));
+      consider(Track(before * prior.hypotheses()[k].motion, prior.hypotheses()[k]));
     }
     Rank(prior, &matches);
     for (const Window& window : kWindows) {
@@ -119,8 +123,8 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
       result.searched = true;
       const scan_matching::SearchWindow within{std::min(window.linear_m, prior.reach_m()),
                                                std::min(window.angular_rad, prior.reach_rad())};
-      for (const SE2& centre : SearchCentres(prior, within)) {
-        for (const Match& match : Search(before * centre, within)) matches.push_back(match);
+      for (const SE2& center : SearchCenters(prior, within)) {
+        for (const Match& match : Search(before * center, within)) consider(match);
       }
       Rank(prior, &matches);
     }
@@ -128,7 +132,8 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
   const Match& best = matches.front();
   if (IsLost(best)) return GoOnLost(best, scan, wheels, guess);
   new_piece_.reset();
-  result.matched = !IsDoubtful(best);
+  doubtful_scans_ = IsDoubtful(best) ? doubtful_scans_ + 1 : 0;
+  result.matched = doubtful_scans_ == 0 || doubtful_scans_ > options_.doubtful_scans;
   Learn(best, duration_s);
   odom_T_robot_ = best.odom_T_robot;
   result.motion = Between(before, odom_T_robot_);
@@ -213,18 +218,8 @@ double ScanOdometry::Nats(const Match& match, double least_unknown) const {
   return kNatsPerBeam * (e.explained - usual_fit_ * (e.known() + unexpected));
 }
 
-// Sorts by the posterior and leaves out what is the same. Far behind a wall all is unseen: whoever
-// has to see through walls to get there is not where the match says.
+// Sorts by the posterior and leaves out what is the same.
 void ScanOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) const {
-  for (Match& match : *matches) {
-    if (match.is_seen_through_counted) continue;
-    match.is_seen_through_counted = true;
-    const double behind = std::min(
-        match.evidence.unknown,
-        scan_matching::CountSeenThrough(map_.grid(), points_, match.odom_T_robot).into_unseen);
-    match.evidence.unknown -= behind;
-    match.evidence.contradicted += behind;
-  }
   double least_unknown = 1e9;
   for (const Match& match : *matches) {
     least_unknown = std::min(least_unknown, match.evidence.unknown);

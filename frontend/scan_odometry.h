@@ -58,8 +58,10 @@ class ScanOdometry {
     int map_scans = 80;
     // A match that fits less than this part of what recent scans did is looked into.
     double doubt_below = 0.85;
-    // A robot whose scans fit nothing before, but each other, for so long begins a new piece.
-    // What only makes beams shorter may stand in front of the laser, for longer.
+    // So many scans in a row that fit badly show a place that has changed; fewer are not entered.
+    int doubtful_scans = 3;
+    // A robot whose scans fit nothing before, but each other, for so long begins a new piece; for
+    // longer where its beams are just shorter than expected: something may hide the walls.
     double new_piece_s = 1.0;
     double new_piece_if_hidden_s = 10.0;
     int new_piece_scans = 5;
@@ -75,19 +77,19 @@ class ScanOdometry {
   struct Match {
     backend::SE2 odom_T_robot;
     scan_matching::Evidence evidence;
-    bool is_seen_through_counted = false;  // beams that end behind walls, as contradicted
-    double log_posterior = 0.0;            // up to a constant
+    double log_posterior = 0.0;  // up to a constant
   };
 
   bool IsLost(const Match& match) const;
-  bool IsDoubtful(const Match& match);
+  bool IsDoubtful(const Match& match) const;
   ScanMotion GoOnLost(const Match& best, const sensor::LaserScan& scan,
                       const sensor::OdometryCheck::Step& wheels,
                       const std::optional<WheelMotion>& guess);
   double DurationRatio(double duration_s) const;
   MotionPrior MakePrior(const std::optional<WheelMotion>& wheels, double duration_s) const;
   Match Track(const backend::SE2& initial, const MotionHypothesis& hypothesis) const;
-  static std::vector<backend::SE2> SearchCentres(const MotionPrior& prior,
+  void CountBehindWalls(Match* match) const;
+  static std::vector<backend::SE2> SearchCenters(const MotionPrior& prior,
                                                  const scan_matching::SearchWindow& window);
   std::vector<Match> Search(const backend::SE2& centre, const scan_matching::SearchWindow& window);
   bool IsConvincing(const Match& match, const MotionPrior& prior) const;

@@ -14,18 +14,15 @@ namespace {
 constexpr double kLostBelow = 0.5;
 constexpr double kBackAbove = 0.75;
 
-// Of full weight: fewer that do not fit are no proof that the robot is elsewhere.
+// Of full weight: fewer that do not fit are no proof that the robot is elsewhere, or say nothing.
 constexpr double kBeamsToBeLost = 8.0;
-constexpr double kBeamsToDoubt = 2.0;
+constexpr double kBeamsInDoubt = 2.0;
 
-// Part of the beams which contradict a pose, of those that pass through walls as well. With less of
-// them something may stand in front of the laser.
+// Of beams that pass through walls, as a part of those that contradict the pose: with fewer
+// something may hide the walls.
 constexpr double kElsewhere = 0.5;
-// Of all scans since the robot was lost: a few scans of few beams prove little.
+// Of them in all scans since the robot was lost: a few scans of few beams prove little.
 constexpr double kBeamsToBeElsewhere = 100.0;
-
-// So many bad scans in a row show a place that has changed.
-constexpr int kDoubtfulScans = 3;
 
 }  // namespace
 
@@ -39,12 +36,9 @@ bool ScanOdometry::IsLost(const Match& match) const {
 
 // Fits badly by too few beams for the robot to be lost. Whether the scan is where it seems to be,
 // the next ones show; until then it is not to be a part of the map that they are matched with.
-bool ScanOdometry::IsDoubtful(const Match& match) {
+bool ScanOdometry::IsDoubtful(const Match& match) const {
   const scan_matching::Evidence& e = match.evidence;
-  const bool is_bad =
-      usual_fit_ * e.known() - e.explained > kBeamsToDoubt && e.Fit() < kLostBelow * usual_fit_;
-  doubtful_scans_ = is_bad ? doubtful_scans_ + 1 : 0;
-  return is_bad && doubtful_scans_ <= kDoubtfulScans;
+  return usual_fit_ * e.known() - e.explained > kBeamsInDoubt && e.Fit() < kLostBelow * usual_fit_;
 }
 
 // The map stays as it is, for the case that the robot is seen to be where the wheels say.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "frontend/scan_matching/seen_through.h"
 #include "frontend/scan_odometry.h"
 
 namespace gmapping_spa::frontend {
@@ -18,24 +19,34 @@ constexpr std::size_t kSearchBeams = 100;
 
 // The motions around which windows of this size are searched: each guess, and standing still, as
 // the robot may have been stopped. A window holds what is near its middle.
-std::vector<SE2> ScanOdometry::SearchCentres(const MotionPrior& prior,
+std::vector<SE2> ScanOdometry::SearchCenters(const MotionPrior& prior,
                                              const scan_matching::SearchWindow& window) {
-  std::vector<SE2> centres;
+  std::vector<SE2> centers;
   const auto add = [&](const SE2& motion) {
-    const bool is_held = std::any_of(centres.begin(), centres.end(), [&](const SE2& centre) {
-      const SE2 off = Between(centre, motion);
+    const bool is_held = std::any_of(centers.begin(), centers.end(), [&](const SE2& center) {
+      const SE2 off = Between(center, motion);
       return off.translation().norm() < 0.5 * window.linear_m &&
              std::abs(off.theta) < 0.5 * window.angular_rad;
     });
-    if (!is_held) centres.push_back(motion);
+    if (!is_held) centers.push_back(motion);
   };
   for (const MotionHypothesis& hypothesis : prior.hypotheses()) add(hypothesis.motion);
   add(SE2{});
-  return centres;
+  return centers;
+}
+
+// Far behind a wall all is unseen, which is no evidence: a pose from where beams have to pass
+// through walls to get there would look as good as one that fits.
+void ScanOdometry::CountBehindWalls(Match* match) const {
+  const double behind = std::min(
+      match->evidence.unknown,
+      scan_matching::CountSeenThrough(map_.grid(), points_, match->odom_T_robot).into_unseen);
+  match->evidence.unknown -= behind;
+  match->evidence.contradicted += behind;
 }
 
 // The best and the second best match of a window.
-std::vector<ScanOdometry::Match> ScanOdometry::Search(const SE2& centre,
+std::vector<ScanOdometry::Match> ScanOdometry::Search(const SE2& center,
                                                       const scan_matching::SearchWindow& window) {
   std::vector<Eigen::Vector2d> positions;
   double reach_m = 1.0;
@@ -51,7 +62,7 @@ std::vector<ScanOdometry::Match> ScanOdometry::Search(const SE2& centre,
   search.peak_separation_m = 0.2;
   search.with_covariance = false;
   const scan_matching::CorrelativeMatch found =
-      map_.Search(search, odom_T_robot_, reach_m + 1.5).Match(positions, centre, window);
+      map_.Search(search, odom_T_robot_, reach_m + 1.5).Match(positions, center, window);
   std::vector<Match> matches;
   if (!found.found) return matches;
   const MotionHypothesis weak{.motion = {}, .sigma_m = 0.1, .sigma_rad = 0.1};

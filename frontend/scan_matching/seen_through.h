@@ -8,13 +8,15 @@
 
 namespace gmapping_spa::scan_matching {
 
-// Number of beams, each with its ScanPoint::weight, that pass through full cells of the map and end
-// farther away. Whoever stands in front of a laser makes beams shorter, never longer.
+// Numbers of beams that pass through full cells of a map and end more than 0.3 m behind them, each
+// counted by its ScanPoint::weight. Whoever stands in front of a laser makes beams shorter, never
+// longer.
 struct SeenThrough {
   double all = 0.0;
   double into_unseen = 0.0;  // of these, the beams that end where no beam has been
 };
 
+// `points`: of a scan, in the robot frame. `world_T_robot`: a pose of the robot in the map's frame.
 SeenThrough CountSeenThrough(const map::OccupancyGrid& grid, const ScanPoints& points,
                              const backend::SE2& world_T_robot);
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/frontend/scan_odometry_drive.h"
 
 namespace gmapping_spa::frontend {
@@ -20,6 +22,11 @@ TEST(ScanDensity, IsThePartOfADenseScanAndNeverMoreThanOne) {
   EXPECT_DOUBLE_EQ(ScanDensity(ScanOf(45)), 0.25);
   EXPECT_DOUBLE_EQ(ScanDensity(ScanOf(90)), 1.0);
   EXPECT_DOUBLE_EQ(ScanDensity(ScanOf(720)), 1.0);
+}
+
+TEST(ScanDensity, OfFilterUpdatesFallsMoreSlowly) {
+  EXPECT_DOUBLE_EQ(UpdateDensity(ScanOf(90)), 1.0);
+  EXPECT_NEAR(UpdateDensity(ScanOf(45)), std::pow(0.5, 1.5), 1e-12);
 }
 
 // A map of a scan each half metre would have walls with holes.

@@ -149,17 +149,5 @@ TEST_F(ScanOdometryWithWheels, AreNotNeeded) {
   ExpectIsWhereItIs();
 }
 
-// Between two scans the robot turns back: what it sees was seen before, but from the other side,
-// and the wheels are off by more than alignment makes good.
-TEST(ScanOdometryWheels, ATurnBetweenTwoScansIsFoundNearWhatTheWheelsSay) {
-  for (const double turn_rad : {-2.7, -2.0, 2.0, 2.7}) {
-    Drive drive(synthetic::Room(), {.field_of_view_rad = std::numbers::pi});
-    for (int step = 0; step <= 80; ++step) drive.To(OnRound(step));
-    const SE2 turn{-0.4, 0.1, turn_rad};
-    drive.To(drive.world_T_robot() * turn, {turn * SE2{0.18, 0.1, 0.15}});
-    drive.ExpectIsWhereItIs(0.05, 0.02);
-  }
-}
-
 }  // namespace
 }  // namespace gmapping_spa::frontend

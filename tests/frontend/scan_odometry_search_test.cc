@@ -1,0 +1,47 @@
+// Where a scan is looked for that does not fit where it was expected.
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/frontend/scan_odometry_drive.h"
+
+namespace gmapping_spa::frontend {
+namespace {
+
+using backend::SE2;
+
+// Four walls that look alike: the whole window holds four poses that fit.
+synthetic::Walls Square() {
+  synthetic::Walls walls;
+  synthetic::AddPolygon({{-3, -3}, {3, -3}, {3, 3}, {-3, 3}}, 0.0, &walls);
+  return walls;
+}
+
+// Between two scans the robot turns back, and the wheels are off by more than alignment makes good.
+TEST(ScanOdometrySearch, ATurnBetweenTwoScansIsFoundNearWhatTheWheelsSay) {
+  for (const double turn_rad : {-2.9, -2.2, 2.2, 2.9}) {
+    SCOPED_TRACE(turn_rad);
+    Drive drive(Square(), {.field_of_view_rad = std::numbers::pi});
+    for (int step = 0; step <= 80; ++step) drive.To(OnRound(step));
+    const SE2 turn{-0.4, 0.1, turn_rad};
+    drive.To(drive.world_T_robot() * turn, {turn * SE2{0.15, 0.15, 0.3}});
+    drive.ExpectIsWhereItIs(0.05, 0.02);
+  }
+}
+
+TEST(ScanOdometrySearch, AStepThatTheWheelsMissIsFound) {
+  Drive drive(synthetic::Room());
+  for (int step = 0; step <= 80; ++step) drive.To(OnRound(step));
+  const ScanMotion motion = drive.To(drive.world_T_robot() * SE2{0.4, 0.1, 0.6}, {StepOfRound(1)});
+  EXPECT_TRUE(motion.searched);
+  EXPECT_TRUE(motion.wheels_rejected);
+  drive.ExpectIsWhereItIs(0.03, 0.02);
+}
+
+TEST(ScanOdometrySearch, NothingIsSearchedWhereTheGuessesDo) {
+  Drive drive(synthetic::Room());
+  for (int step = 0; step <= 80; ++step) EXPECT_FALSE(drive.To(OnRound(step)).searched) << step;
+}
+
+}  // namespace
+}  // namespace gmapping_spa::frontend
