@@ -15,8 +15,7 @@ void ScanPlayer::OnScan(const OdometryReading& odometry, const LidarOptions& lid
   scan.odom_T_robot = odometry.odom_T_robot;
   // The last digit may have been rounded to beyond half a turn.
   scan.odom_T_robot.theta = backend::WrapAngle(scan.odom_T_robot.theta);
-  const backend::SE2 odom_T_laser = LoggedPose(odometry.odom_T_robot * lidar.robot_T_laser);
-  scan.robot_T_laser = backend::Between(scan.odom_T_robot, odom_T_laser);
+  scan.robot_T_laser = lidar.robot_T_laser;
   scan.beams =
       sensor::MakeBeams(ranges_m, {lidar.start_angle_rad(), lidar.angular_resolution_rad()},
                         options.range_min_m, std::min(options.usable_range_m, lidar.max_range_m));

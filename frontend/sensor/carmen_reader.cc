@@ -143,8 +143,9 @@ ScanRecord CarmenReader::ParseRobotLaser(RecordFields fields) const {
   const SE2 odom_T_laser = fields.Pose("laser pose");
   record.has_odometry = true;
   record.scan.odom_T_robot = fields.Pose("robot pose");
-  record.scan.robot_T_laser =
-      options_.robot_T_laser.value_or(Between(record.scan.odom_T_robot, odom_T_laser));
+  record.told_robot_T_laser = Between(record.scan.odom_T_robot, odom_T_laser);
+  record.mounting_is_known = options_.robot_T_laser.has_value();
+  record.scan.robot_T_laser = options_.robot_T_laser.value_or(*record.told_robot_T_laser);
   SkipWords(fields, 5, "speeds, safety distances and turn axis");
   record.scan.stamp_s = ParseStamp(fields);
   return record;

@@ -102,9 +102,9 @@ void LaserMountingReader::Decide() {
 
 void LaserMountingReader::Finish(ScanRecord* record) {
   if (!record->told_robot_T_laser) return;
-  if (robot_T_laser_ && !record->mounting_is_known) {
-    record->scan.robot_T_laser = *robot_T_laser_;
-    ++num_used_;
+  if (!record->mounting_is_known) {
+    record->scan.robot_T_laser = robot_T_laser_.value_or(SE2{});
+    num_used_ += robot_T_laser_ ? 1 : 0;
   }
   if (!Agree(record->scan.robot_T_laser, *record->told_robot_T_laser,
              robot_T_laser_ ? 2.0 * kTolerance : kTolerance)) {

@@ -59,7 +59,9 @@ TEST(ScanPlayer, PlaysWhatAReaderOfTheLogReads) {
     EXPECT_EQ(scan.index, read->index);
     EXPECT_EQ(scan.stamp_s, read->stamp_s);
     EXPECT_EQ(scan.odom_T_robot, read->odom_T_robot);
-    EXPECT_EQ(scan.robot_T_laser, read->robot_T_laser);
+    EXPECT_NEAR(scan.robot_T_laser.x, read->robot_T_laser.x, 1e-6);
+    EXPECT_NEAR(scan.robot_T_laser.y, read->robot_T_laser.y, 1e-6);
+    EXPECT_NEAR(scan.robot_T_laser.theta, read->robot_T_laser.theta, 1e-6);
     ASSERT_EQ(scan.beams.size(), read->beams.size());
     for (std::size_t i = 0; i < scan.beams.size(); ++i) {
       EXPECT_EQ(scan.beams[i].angle_rad, read->beams[i].angle_rad);

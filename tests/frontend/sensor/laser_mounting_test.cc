@@ -84,6 +84,21 @@ TEST(LaserMounting, ALogWhoseLaserPosesDisagreeKeepsTheLaserAtTheRobot) {
   EXPECT_EQ(result.counts.at("laser_pose_mismatches"), 60);
 }
 
+// As ROBOTLASER1 records of a logger that never sets the laser pose: each would mount it elsewhere.
+TEST(LaserMounting, ALaserPoseThatStaysWhileTheRobotDrivesIsNoMounting) {
+  std::vector<LogRecord> records;
+  for (int i = 0; i < 200; ++i) {
+    ScanRecord record = Told(i, {});
+    record.told_robot_T_laser = Inverse(record.scan.odom_T_robot);
+    record.scan.robot_T_laser = *record.told_robot_T_laser;
+    records.push_back(record);
+  }
+  const Result result = Read(std::move(records));
+  ExpectMounted(result, {});
+  EXPECT_GT(result.counts.at("laser_pose_mismatches"), 190);
+  EXPECT_EQ(result.counts.at("laser_pose_used"), 0);
+}
+
 TEST(LaserMounting, PosesInTheFrameOfAMapAreNoMounting) {
   // The map's frame is shifted against that of the odometry: standing or going straight, this
   // would look like a mounting.
