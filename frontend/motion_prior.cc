@@ -9,7 +9,9 @@ namespace gmapping_spa::frontend {
 using backend::SE2;
 
 Eigen::Matrix3d MotionHypothesis::Information() const {
-  return Eigen::Array3d(sigma_m, sigma_m, sigma_rad).square().inverse().matrix().asDiagonal();
+  const Eigen::Array3d gain(gain_m, gain_m, gain_rad);
+  const Eigen::Array3d sigma(sigma_m, sigma_m, sigma_rad);
+  return (gain / sigma.square()).matrix().asDiagonal();
 }
 
 double MotionHypothesis::SquaredDistance(const SE2& other) const {
@@ -42,7 +44,9 @@ MotionPrior::MotionPrior(const Options& options, const std::optional<WheelMotion
                                             options.m_per_rad * angular_rad),
          .sigma_rad = wheels->sigma_factor * (options.floor_rad + options.rad_per_m * linear_m +
                                               options.rad_per_rad * angular_rad),
-         .weight = 1.0 - wheels->wrong});
+         .weight = 1.0 - wheels->wrong,
+         .gain_m = wheels->gain_m,
+         .gain_rad = wheels->gain_rad});
   }
   hypotheses_.push_back(going_on);
   reach_m_ = std::max(options.max_speed_m_s * duration_s, going_on.sigma_m);

@@ -17,19 +17,25 @@ struct MotionHypothesis {
   double sigma_m = 0.0;  // standard deviation, the same along x and y
   double sigma_rad = 0.0;
   double weight = 0.0;  // prior probability
+  // How much surer than that it has proved to be where it is fused with a scan, in variances.
+  double gain_m = 1.0;
+  double gain_rad = 1.0;
 
-  // Inverse covariance of (x, y, theta); the same in every frame.
+  // Of (x, y, theta), gains included; the same in every frame.
   Eigen::Matrix3d Information() const;
   // Squared Mahalanobis distance.
   double SquaredDistance(const backend::SE2& other) const;
   double LogDensity(const backend::SE2& other) const;  // of the normal distribution, times weight
 };
 
-// What the wheels say, and how much less they are to be trusted than usual.
+// What the wheels say, and how far they are to be trusted.
 struct WheelMotion {
   backend::SE2 motion;
   double sigma_factor = 1.0;  // on the standard deviations
   double wrong = 0.01;        // probability that it has nothing to do with the motion
+  // Of MotionHypothesis.
+  double gain_m = 1.0;
+  double gain_rad = 1.0;
 };
 
 // A mixture: what the wheels say, going on at the same velocity, and anything that a robot can do.

@@ -18,6 +18,22 @@ constexpr double kContradicts = 9.0;  // squared standard deviations
 constexpr int kSilentScans = 3;
 constexpr double kTurns_rad = 0.02;  // more than what scans and wheels are off by
 
+constexpr int kBlockScans = 20;
+constexpr double kBlockShare = 0.05;  // least share of a block in the running means
+constexpr double kMaxBlockError = 10.0;
+// Wheels have a variance of this many times their mean error: it is shared in with them.
+constexpr double kErrorToVariance = 2.0;
+constexpr double kMostGain = 100.0;  // ten times surer than expected, no more
+
+// More than what wheels that stand still read.
+bool Moves(const SE2& step) {
+  return step.translation().norm() > 1e-3 || std::abs(step.theta) > 1e-3;
+}
+
+double Gain(double block_error) {
+  return 1.0 / std::clamp(kErrorToVariance * block_error, 1.0 / kMostGain, 1.0);
+}
+
 }  // namespace
 
 std::optional<WheelMotion> WheelTrust::Guess(const sensor::OdometryCheck::Step& wheels) {
@@ -30,8 +46,11 @@ std::optional<WheelMotion> WheelTrust::Guess(const sensor::OdometryCheck::Step& 
   silent_ = unchanged_ && (!ever_moved_ || contradicted_while_unchanged_ >= kSilentScans);
   if (silent_ || (wheels.fault != OdometryFault::kNone && !unchanged_)) return std::nullopt;
   const double error = std::max(late() ? late_error_ : step_error_, 1.0);
-  return WheelMotion{late() ? Owed() : step_, std::sqrt(error),
-                     std::clamp(wrong_, kMinWrong, kMaxWrong)};
+  return WheelMotion{.motion = late() ? Owed() : step_,
+                     .sigma_factor = std::sqrt(error),
+                     .wrong = std::clamp(wrong_, kMinWrong, kMaxWrong),
+                     .gain_m = Gain(block_error_m_),
+                     .gain_rad = Gain(block_error_rad_)};
 }
 
 void WheelTrust::Learn(const SE2& motion, const MotionHypothesis& guess) {
@@ -41,6 +60,7 @@ void WheelTrust::Learn(const SE2& motion, const MotionHypothesis& guess) {
   plain.sigma_m /= factor;
   plain.sigma_rad /= factor;
   plain.motion = step_;
+  LearnBlock(motion, plain);
   const double step_error = std::min(plain.SquaredDistance(motion) / 3.0, kMaxError);
   plain.motion = Owed();
   const double late_error = std::min(plain.SquaredDistance(motion) / 3.0, kMaxError);
@@ -57,6 +77,26 @@ void WheelTrust::Learn(const SE2& motion, const MotionHypothesis& guess) {
     opposite_rad_ += step_.theta * motion.theta < 0.0 ? turn_rad : 0.0;
   }
   Learn(motion);
+}
+
+// `plain`: the wheels' step with the deviations expected of it.
+void WheelTrust::LearnBlock(const SE2& motion, const MotionHypothesis& plain) {
+  block_wheels_ = block_wheels_ * plain.motion;
+  block_motion_ = block_motion_ * motion;
+  if (!Moves(plain.motion)) return;
+  block_variance_m2_ += plain.sigma_m * plain.sigma_m;
+  block_variance_rad2_ += plain.sigma_rad * plain.sigma_rad;
+  if (++block_scans_ < kBlockScans) return;
+  const SE2 off = Between(block_wheels_, block_motion_);
+  const double share = std::max(kBlockShare, 2.0 / (++blocks_ + 2));
+  const auto learn = [share](double error, double* mean) {
+    *mean += share * (std::min(error, kMaxBlockError) - *mean);
+  };
+  learn(off.translation().squaredNorm() / (2.0 * block_variance_m2_), &block_error_m_);
+  learn(off.theta * off.theta / block_variance_rad2_, &block_error_rad_);
+  block_wheels_ = block_motion_ = {};
+  block_variance_m2_ = block_variance_rad2_ = 0.0;
+  block_scans_ = 0;
 }
 
 void WheelTrust::Learn(const SE2& motion) {

@@ -38,6 +38,7 @@ class WheelTrust {
   static constexpr double kOpposite = 0.8;
 
   backend::SE2 Owed() const { return owed_ * step_; }
+  void LearnBlock(const backend::SE2& motion, const MotionHypothesis& plain);
 
   backend::SE2 step_;  // of the wheels at this scan
   bool unchanged_ = false;
@@ -51,6 +52,15 @@ class WheelTrust {
   // steps, and of their steps with what is owed.
   double step_error_ = 1.0;
   double late_error_ = 1.0;
+  // The same of their motion over a block of scans, by direction: the noise of scan matching does
+  // not add up there, so that it shows wheels that are better than expected.
+  double block_error_m_ = 1.0;
+  double block_error_rad_ = 1.0;
+  int blocks_ = 0;
+  // Of the block at hand.
+  backend::SE2 block_wheels_, block_motion_;
+  double block_variance_m2_ = 0.0, block_variance_rad2_ = 0.0;
+  int block_scans_ = 0;  // in which the wheels moved
   double wrong_ = 0.01;  // share of the scans that contradict the wheels
   // Of all steps in which both turned: by how much, and in how much of it the opposite ways.
   double turned_rad_ = 0.0;
