@@ -31,11 +31,12 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
   const bool ambiguous = !motion.alternatives.empty();
   if (ambiguous && !scan_poses_.latest_is_update() && !is_lost_.back()) {
     scan_poses_.MakeUpdate();
-    UpdateFilter(archive_.Get(archive_.size() - 1), {{Between(odom_T_last_update_, odom_T_scan_)}});
+    UpdateFilter(archive_.Get(archive_.size() - 1), {ControlSinceUpdate()});
   }
   counts_.searched += motion.searched ? 1 : 0;
   const SE2 odom_T_before = odom_T_scan_;
   odom_T_scan_ = odom_T_scan_ * u;
+  noise_since_update_ = std::max(noise_since_update_, motion.noise);
   area_.Extend(scan, odom_T_scan_);
   archive_.Add(scan);
   is_lost_.push_back(!motion.matched);
@@ -64,7 +65,7 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
     for (ParticleFilter::Control& control : controls) control.motion = up_to_here * control.motion;
     UpdateFilter(scan, controls);
   } else {
-    UpdateFilter(scan, {{Between(odom_T_last_update_, odom_T_scan_)}});
+    UpdateFilter(scan, {ControlSinceUpdate()});
   }
 
   // Step 3': the pose graph with its closed-loop constraints goes to the graph thread.
@@ -100,6 +101,10 @@ bool ImprovedGmapping::UpdateIsDue(const SE2& u, double density) {
          angular_since_update_rad_ >= density * options_.angular_update_rad;
 }
 
+ParticleFilter::Control ImprovedGmapping::ControlSinceUpdate() const {
+  return {.motion = Between(odom_T_last_update_, odom_T_scan_), .noise = noise_since_update_};
+}
+
 void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan,
                                     const std::vector<ParticleFilter::Control>& controls) {
   if (counts_.updates == 0) {
@@ -116,6 +121,7 @@ void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan,
   ++counts_.updates;
   ++updates_since_optimization_;
   odom_T_last_update_ = odom_T_scan_;
+  noise_since_update_ = 0.0;
   linear_since_update_m_ = 0.0;
   angular_since_update_rad_ = 0.0;
 }

@@ -90,6 +90,7 @@ class ImprovedGmapping {
 
  private:
   void BeginPiece(int scans);
+  particle_filter::ParticleFilter::Control ControlSinceUpdate() const;
   bool UpdateIsDue(const backend::SE2& u, double density);
   void TakeOver(const backend::PoseGraph& optimized);
   void UpdateFilter(const sensor::LaserScan& scan,
@@ -117,6 +118,7 @@ class ImprovedGmapping {
 
   backend::SE2 odom_T_scan_;  // the control inputs so far
   backend::SE2 odom_T_last_update_;
+  double noise_since_update_ = 0.0;  // the largest of the control inputs
   double linear_since_update_m_ = 0.0;
   double angular_since_update_rad_ = 0.0;
   int updates_since_optimization_ = 0;

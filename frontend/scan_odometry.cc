@@ -138,6 +138,9 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
   odom_T_robot_ = best.odom_T_robot;
   result.motion = Between(before, odom_T_robot_);
   result.wheels_rejected = prior.hypotheses().front().SquaredDistance(result.motion) > kAgrees;
+  if (guess && !result.wheels_rejected) {
+    result.noise = 1.0 / std::sqrt(std::min(guess->gain_m, guess->gain_rad));
+  }
   if (guess) {
     wheel_trust_.Learn(result.motion, prior.hypotheses().front());
   } else {

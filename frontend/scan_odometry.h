@@ -27,6 +27,9 @@ struct ScanMotion {
   backend::SE2 motion;  // the likeliest
   // All motions that the scan does not tell apart, the likeliest first; empty when there is one.
   std::vector<particle_filter::ParticleFilter::Control> alternatives;
+  // How sure the wheels, which agree with it, have proved to be: a factor on the standard
+  // deviations that are expected of them, at most 1.
+  double noise = 1.0;
   bool searched = false;         // whether the guesses did not do and a window was searched
   bool wheels_rejected = false;  // whether the motion is not what the wheels say
   bool wheels_silent = false;    // whether the wheels stand still while the robot moves

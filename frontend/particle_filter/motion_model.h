@@ -27,17 +27,19 @@ class MotionModel {
 
   explicit MotionModel(const Options& options);
 
-  // Standard deviations of (x, y, theta) of the increment `u`.
-  Eigen::Vector3d Sigmas(const backend::SE2& u) const;
-
   // Eq. (9): draws x_t given x_{t-1} and the odometry increment u = Between(odom_{t-1}, odom_t).
-  backend::SE2 Sample(const backend::SE2& world_T_previous, const backend::SE2& u,
+  // `noise`: a factor on the standard deviations.
+  backend::SE2 Sample(const backend::SE2& world_T_previous, const backend::SE2& u, double noise,
                       backend::CounterRandom* random) const;
 
   // Covariance of x_t in the world frame: the mean is world_T_previous * u.
-  Eigen::Matrix3d Covariance(const backend::SE2& world_T_previous, const backend::SE2& u) const;
+  Eigen::Matrix3d Covariance(const backend::SE2& world_T_previous, const backend::SE2& u,
+                             double noise) const;
 
  private:
+  // Standard deviations of (x, y, theta) of the increment.
+  Eigen::Vector3d Sigmas(const backend::SE2& u, double noise) const;
+
   Options options_;
 };
 

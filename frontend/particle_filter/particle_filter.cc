@@ -77,7 +77,7 @@ ParticleFilter::Update ParticleFilter::Advance(const sensor::LaserScan& scan,
     const Stopwatch stopwatch(&times_.matching_s);
     const scan_matching::ScanPoints points = scan_matching::MakeScanPoints(scan);
     ParallelFor(options_.threads, options_.particles,
-                [&](int index) { Move(points, controls[shares[index]].motion, index); });
+                [&](int index) { Move(points, controls[shares[index]], index); });
   }
   for (Particle& particle : particles_) {
     update.failed_matches += particle.motion.matched ? 0 : 1;
@@ -110,26 +110,26 @@ void ParticleFilter::BeginPiece(const sensor::LaserScan& scan, const SE2& guess)
 }
 
 // Samples the new pose of a particle and weights it.
-void ParticleFilter::Move(const scan_matching::ScanPoints& points, const SE2& odometry_increment,
+void ParticleFilter::Move(const scan_matching::ScanPoints& points, const Control& control,
                           int index) {
   CounterRandom random(options_.seed, kMoveStream, step_, index);
   Particle& particle = particles_[index];
   const SE2 previous = particle.world_T_robot;
-  const PoseGaussian prior{previous * odometry_increment,
-                           motion_model_.Covariance(previous, odometry_increment)};
+  const PoseGaussian prior{previous * control.motion,
+                           motion_model_.Covariance(previous, control.motion, control.noise)};
   scan_matching::EndpointModel model(options_.endpoint, &particle.map, &points);
   const scan_matching::MatchResult match = matcher_->Match(  // eq. (8)
-      particle.map, points, InitialGuess(particle, odometry_increment, &model, &random),
+      particle.map, points, InitialGuess(particle, control, &model, &random),
       prior.covariance.inverse());
   double log_factor = 0.0;  // of the weight, eqs. (7) and (15)
-  EdgeModel::Step step{previous, {}, odometry_increment, prior.covariance, match.success};
+  EdgeModel::Step step{previous, {}, control.motion, prior.covariance, match.success};
   if (match.success) {
     const Proposal proposal = ComputeProposal(&model, match.world_T_robot, prior);
     particle.world_T_robot = Draw(proposal.gaussian, &random);  // eq. (13)
     step.world_covariance = proposal.gaussian.covariance;
     log_factor = proposal.log_eta;
   } else {
-    particle.world_T_robot = motion_model_.Sample(previous, odometry_increment, &random);
+    particle.world_T_robot = motion_model_.Sample(previous, control.motion, control.noise, &random);
     log_factor = model.LogLikelihood(particle.world_T_robot);  // eq. (10)
   }
   step.world_T_robot = particle.world_T_robot;
@@ -140,12 +140,13 @@ void ParticleFilter::Move(const scan_matching::ScanPoints& points, const SE2& od
 
 // Where the scan fits best among the odometry's prediction and some draws from the motion model:
 // wheels slip by more than a hill climb can make good.
-SE2 ParticleFilter::InitialGuess(const Particle& particle, const SE2& odometry_increment,
+SE2 ParticleFilter::InitialGuess(const Particle& particle, const Control& control,
                                  scan_matching::EndpointModel* model, CounterRandom* random) const {
-  SE2 best = particle.world_T_robot * odometry_increment;
+  SE2 best = particle.world_T_robot * control.motion;
   double best_score = model->Score(best);
   for (int k = 0; k < options_.initial_guesses; ++k) {
-    const SE2 guess = motion_model_.Sample(particle.world_T_robot, odometry_increment, random);
+    const SE2 guess =
+        motion_model_.Sample(particle.world_T_robot, control.motion, control.noise, random);
     const double score = model->Score(guess, best_score);
     if (score > best_score) {
       best = guess;

@@ -48,6 +48,7 @@ class ParticleFilter {
   struct Control {
     backend::SE2 motion;
     double probability = 1.0;
+    double noise = 1.0;  // factor on the motion model's standard deviations
   };
 
   struct Update {
@@ -97,9 +98,8 @@ class ParticleFilter {
   const Times& times() const { return times_; }
 
  private:
-  void Move(const scan_matching::ScanPoints& points, const backend::SE2& odometry_increment,
-            int index);
-  backend::SE2 InitialGuess(const Particle& particle, const backend::SE2& odometry_increment,
+  void Move(const scan_matching::ScanPoints& points, const Control& control, int index);
+  backend::SE2 InitialGuess(const Particle& particle, const Control& control,
                             scan_matching::EndpointModel* model,
                             backend::CounterRandom* random) const;
   std::vector<int> ChooseAncestors(Update* update);

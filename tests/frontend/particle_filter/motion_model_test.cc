@@ -23,13 +23,13 @@ TEST_P(Sampling, HasTheMeanAndTheCovarianceOfTheClosedForm) {
   const auto& [previous, u] = GetParam();
   const MotionModel model({});
   const SE2 mean = previous * u;
-  const Matrix3d expected = model.Covariance(previous, u);
+  const Matrix3d expected = model.Covariance(previous, u, 1.0);
   constexpr int kSamples = 20000;
   backend::CounterRandom random(3, 0);
   Vector3d sum = Vector3d::Zero();
   Matrix3d sum_of_squares = Matrix3d::Zero();
   for (int i = 0; i < kSamples; ++i) {
-    const SE2 sample = model.Sample(previous, u, &random);
+    const SE2 sample = model.Sample(previous, u, 1.0, &random);
     const Vector3d d(sample.x - mean.x, sample.y - mean.y,
                      backend::WrapAngle(sample.theta - mean.theta));
     sum += d;
@@ -86,12 +86,12 @@ TEST(MotionModel, RobotThatStandsStillKeepsTheFloor) {
 
 TEST(MotionModel, CovarianceTurnsWithTheHeading) {
   const MotionModel model({.linear_per_linear = 0.5, .lateral_per_linear = 0.1});
-  const Matrix3d along_x = model.Covariance({0, 0, 0}, {1, 0, 0});
-  const Matrix3d along_y = model.Covariance({7, 8, std::acos(0.0)}, {1, 0, 0});
+  const Matrix3d along_x = model.Covariance({0, 0, 0}, {1, 0, 0}, 1.0);
+  const Matrix3d along_y = model.Covariance({7, 8, std::acos(0.0)}, {1, 0, 0}, 1.0);
   EXPECT_GT(along_x(0, 0), 10 * along_x(1, 1));
   EXPECT_NEAR(along_y(1, 1), along_x(0, 0), 1e-12);
   EXPECT_NEAR(along_y(0, 0), along_x(1, 1), 1e-12);
-  const Matrix3d diagonal = model.Covariance({0, 0, std::acos(0.0) / 2}, {1, 0, 0});
+  const Matrix3d diagonal = model.Covariance({0, 0, std::acos(0.0) / 2}, {1, 0, 0}, 1.0);
   EXPECT_GT(diagonal(0, 1), 0.9 * (along_x(0, 0) - along_x(1, 1)) / 2);
 }
 
