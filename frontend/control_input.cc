@@ -20,12 +20,18 @@ ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
   } else {
     ReportFault(wheels, scan.stamp_s);
   }
-  ScanMotion motion;
+  ScanMotion motion = scan_odometry_.Advance(scan, wheels);
   if (options_.source == OdometrySource::kWheel) {
-    motion.motion = wheels.motion;
-    return motion;
+    if (motion.wheels_rejected || motion.wheels_silent) {
+      health_->Report("odometry_contradicted", scan.stamp_s,
+                      "the scan contradicts the odometry by more than it is trusted; it is used "
+                      "all the same");
+    }
+    ScanMotion believed;
+    believed.motion = wheels.motion;
+    believed.noise = motion.noise;
+    return believed;
   }
-  motion = scan_odometry_.Advance(scan, wheels);
   ReportMatch(motion, wheels, scan.stamp_s);
   return motion;
 }

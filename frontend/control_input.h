@@ -12,7 +12,7 @@
 namespace gmapping_spa::frontend {
 
 enum class OdometrySource : std::uint8_t {
-  kWheel,        // the log's odometry as it is
+  kWheel,        // the log's odometry as it is; scan matching only says how far to trust it
   kScanMatched,  // every scan matched with the last ones, the wheels a part of the prior
   kLidarOnly     // scans alone: the log's odometry is not looked at
 };
