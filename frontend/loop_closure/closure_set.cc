@@ -29,6 +29,13 @@ bool AreConsistent(const DriftModel& drift, double sigmas, const DrivenPath& pat
   return drift.SquaredDistance(around, way_m) <= sigmas * sigmas;
 }
 
+// Whether the two closures put the node at different places.
+bool AreElsewhere(const ProofOptions& options, const DrivenPath& path, const ClosureRecord& a,
+                  const ClosureRecord& b, int node) {
+  const SE2 off = Between(PredictedPose(path, a, node), PredictedPose(path, b, node));
+  return off.translation().norm() > options.rival_m || std::abs(off.theta) > options.rival_rad;
+}
+
 // At most so many, spread evenly.
 std::vector<std::size_t> Thinned(const std::vector<std::size_t>& members) {
   const std::size_t count = std::min<std::size_t>(members.size(), kMaxConsistentSet);
@@ -148,15 +155,26 @@ SE2 PredictedPose(const DrivenPath& path, const ClosureRecord& member, int node)
          Between(path.world_T_nodes[member.node], path.world_T_nodes[node]);
 }
 
+bool HasLikelierRival(const ProofOptions& options, const DrivenPath& path,
+                      const std::vector<ClosureRecord>& records, const ClosureRecord& record) {
+  return std::any_of(records.begin(), records.end(), [&](const ClosureRecord& rival) {
+    const bool is_open =
+        rival.verdict == Verdict::kUnconfirmed || rival.verdict == Verdict::kAccepted;
+    return is_open && rival.source == Source::kNear &&
+           rival.gate < record.gate - options.rival_gate &&
+           WayBetween(path, rival.node, record.node) <= options.rival_within_m &&
+           AreElsewhere(options, path, record, rival, record.node);
+  });
+}
+
 bool Contradict(const ProofOptions& options, const DrivenPath& path,
                 const std::vector<ClosureRecord>& records, const ClosureSet& set,
                 const ClosureSet& rival) {
   return std::any_of(set.members.begin(), set.members.end(), [&](std::size_t member) {
     const int node = records[member].node;
     if (node < rival.first_node || node > rival.last_node) return false;
-    const SE2 off = Between(PredictedPose(path, records[member], node),
-                            PredictedPose(path, NearestMember(path, records, rival, node), node));
-    return off.translation().norm() > options.rival_m || std::abs(off.theta) > options.rival_rad;
+    return AreElsewhere(options, path, records[member], NearestMember(path, records, rival, node),
+                        node);
   });
 }
 

@@ -48,6 +48,10 @@ struct ProofOptions {
   double rival_m = 1.0;
   double rival_rad = 0.15;
   double rival_proof = 0.5;
+  // Of closures near by the estimate: one that is so much easier to explain by drift, found within
+  // so much driving, is far likelier than another that contradicts it.
+  double rival_gate = 6.0;
+  double rival_within_m = 20.0;
 };
 
 // Of each set the members out of its largest pairwise consistent subset; empty when they prove
@@ -63,6 +67,11 @@ std::vector<std::vector<std::size_t>> ProvenSets(const ProofOptions& options,
 bool Contradict(const ProofOptions& options, const DrivenPath& path,
                 const std::vector<ClosureRecord>& records, const ClosureSet& set,
                 const ClosureSet& rival);
+
+// Whether a closure near by the estimate, which drift explains far more easily than `record`, says
+// that the robot was elsewhere: where places look alike, the estimate decides.
+bool HasLikelierRival(const ProofOptions& options, const DrivenPath& path,
+                      const std::vector<ClosureRecord>& records, const ClosureRecord& record);
 
 // Driving from the first member to the last.
 double SpanOf(const DrivenPath& path, const std::vector<ClosureRecord>& records,

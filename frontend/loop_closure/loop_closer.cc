@@ -139,7 +139,7 @@ int LoopCloser::Confirm(const std::vector<SE2>& world_T_nodes,
   const DrivenPath path{world_T_nodes, ways_driven};
   const ClosureRecord& a = records_[newest];
   int accepted = 0;
-  if (HasLikelierRival(path, a)) return accepted;
+  if (HasLikelierRival(options_.global.proof, path, records_, a)) return accepted;
   for (std::size_t k = 0; k < newest; ++k) {
     const ClosureRecord& b = records_[k];
     if (b.source != Source::kNear && b.verdict != Verdict::kAccepted) continue;  // needs more proof
@@ -154,7 +154,7 @@ int LoopCloser::Confirm(const std::vector<SE2>& world_T_nodes,
                        Between(world_T_nodes[b.old_node], world_T_nodes[a.old_node]);
     const double squared = options_.drift.SquaredDistance(around, new_way + old_way);
     if (squared > options_.confirm_sigmas * options_.confirm_sigmas) continue;
-    if (HasLikelierRival(path, b)) continue;
+    if (HasLikelierRival(options_.global.proof, path, records_, b)) continue;
     for (const std::size_t position : {newest, k}) {
       const ClosureRecord& record = records_[position];
       if (record.verdict == Verdict::kAccepted || IsClosed(record)) continue;
@@ -163,23 +163,6 @@ int LoopCloser::Confirm(const std::vector<SE2>& world_T_nodes,
     }
   }
   return accepted;
-}
-
-// Whether a closure that drift explains far more easily says that the robot was elsewhere: where
-// places look alike, the estimate decides.
-bool LoopCloser::HasLikelierRival(const DrivenPath& path, const ClosureRecord& record) const {
-  return std::any_of(records_.begin(), records_.end(), [&](const ClosureRecord& rival) {
-    if (rival.verdict != Verdict::kUnconfirmed && rival.verdict != Verdict::kAccepted) return false;
-    if (rival.source != Source::kNear || rival.gate > record.gate - options_.rival_gate) {
-      return false;
-    }
-    const double way_m = std::abs(path.ways_driven_m[rival.node] - path.ways_driven_m[record.node]);
-    if (way_m > options_.confirm_within_m) return false;
-    const SE2 off =
-        Between(PredictedPose(path, rival, record.node), PredictedPose(path, record, record.node));
-    const ProofOptions& proof = options_.global.proof;
-    return off.translation().norm() > proof.rival_m || std::abs(off.theta) > proof.rival_rad;
-  });
 }
 
 // An obstacle that was mistaken for another one stays so while it is in sight: looks at the same

@@ -27,8 +27,6 @@ class LoopCloser {
     // Nor do two confirm each other, of which none is accepted, that are nearer than this part of
     // the window that they were found in reaches: they may have mistaken the same obstacle.
     double confirm_beyond_windows = 0.5;
-    // Two that contradict each other: the one is far likelier whose gate is so much smaller.
-    double rival_gate = 6.0;
     DriftModel drift;
     CandidateOptions candidates;
     Verifier::Options verifier;
@@ -76,7 +74,6 @@ class LoopCloser {
   std::vector<double> WaysAcrossPieces(const std::vector<backend::SE2>& world_T_nodes) const;
   std::vector<backend::SE2> InSight(const std::vector<backend::SE2>& world_T_nodes) const;
   int Follow(const GlobalCloser::Decisions& decisions);
-  bool HasLikelierRival(const DrivenPath& path, const ClosureRecord& record) const;
   double ConfirmBeyond(const ClosureRecord& a, const ClosureRecord& b) const;
   bool IsClosed(const ClosureRecord& record) const;
   void Accept(std::size_t position);

@@ -9,20 +9,20 @@ using backend::SE2;
 
 MotionModel::MotionModel(const Options& options) : options_(options) {}
 
-Eigen::Vector3d MotionModel::Sigmas(const SE2& u, double noise) const {
+Eigen::Vector3d MotionModel::Sigmas(const SE2& u) const {
   const Options& o = options_;
   const double dx = std::abs(u.x), dy = std::abs(u.y), turn = std::abs(u.theta);
-  return noise * Eigen::Vector3d(o.linear_floor_m + o.linear_per_linear * dx +
-                                     o.lateral_per_linear * dy + o.linear_per_angular * turn,
-                                 o.linear_floor_m + o.linear_per_linear * dy +
-                                     o.lateral_per_linear * dx + o.linear_per_angular * turn,
-                                 o.angular_floor_rad + o.angular_per_linear * std::hypot(dx, dy) +
-                                     o.angular_per_angular * turn);
+  return {o.linear_floor_m + o.linear_per_linear * dx + o.lateral_per_linear * dy +
+              o.linear_per_angular * turn,
+          o.linear_floor_m + o.linear_per_linear * dy + o.lateral_per_linear * dx +
+              o.linear_per_angular * turn,
+          o.angular_floor_rad + o.angular_per_linear * std::hypot(dx, dy) +
+              o.angular_per_angular * turn};
 }
 
 SE2 MotionModel::Sample(const SE2& world_T_previous, const SE2& u, double noise,
                         backend::CounterRandom* random) const {
-  const Eigen::Vector3d sigma = Sigmas(u, noise);
+  const Eigen::Vector3d sigma = noise * Sigmas(u);
   SE2 noisy = u;
   noisy.x += sigma.x() * random->Gaussian();
   noisy.y += sigma.y() * random->Gaussian();
@@ -34,7 +34,8 @@ Eigen::Matrix3d MotionModel::Covariance(const SE2& world_T_previous, const SE2& 
                                         double noise) const {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   rotation.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(world_T_previous.theta).toRotationMatrix();
-  return rotation * Sigmas(u, noise).array().square().matrix().asDiagonal() * rotation.transpose();
+  return rotation * (noise * Sigmas(u)).array().square().matrix().asDiagonal() *
+         rotation.transpose();
 }
 
 }  // namespace gmapping_spa::particle_filter

@@ -27,6 +27,9 @@ class MotionModel {
 
   explicit MotionModel(const Options& options);
 
+  // Standard deviations of (x, y, theta) of the increment `u`.
+  Eigen::Vector3d Sigmas(const backend::SE2& u) const;
+
   // Eq. (9): draws x_t given x_{t-1} and the odometry increment u = Between(odom_{t-1}, odom_t).
   // `noise`: a factor on the standard deviations.
   backend::SE2 Sample(const backend::SE2& world_T_previous, const backend::SE2& u, double noise,
@@ -37,9 +40,6 @@ class MotionModel {
                              double noise) const;
 
  private:
-  // Standard deviations of (x, y, theta) of the increment.
-  Eigen::Vector3d Sigmas(const backend::SE2& u, double noise) const;
-
   Options options_;
 };
 

@@ -47,6 +47,44 @@ TEST_F(WheelTrustOnADrive, GoodWheelsAreTakenAtTheirWord) {
   EXPECT_FALSE(trust_.silent());
 }
 
+TEST_F(WheelTrustOnADrive, WheelsThatProveExactAreTrustedMore) {
+  DriveWell(19);
+  EXPECT_DOUBLE_EQ(trust_.Guess({kStep})->gain_m, 1.0);
+  DriveWell(100);
+  EXPECT_GT(trust_.Guess({kStep})->gain_m, 5.0);
+  EXPECT_GT(trust_.Guess({kStep})->gain_rad, 5.0);
+  DriveWell(5000);
+  EXPECT_DOUBLE_EQ(trust_.Guess({kStep})->gain_m, 100.0);
+}
+
+TEST_F(WheelTrustOnADrive, NoiseOfScanMatchingIsNotHeldAgainstTheWheels) {
+  backend::CounterRandom random(1, 2, 3, 4);
+  SE2 noise;
+  for (int i = 0; i < 400; ++i) {
+    const SE2 before = noise;
+    noise = {0.01 * random.Gaussian(), 0.01 * random.Gaussian(), 0.005 * random.Gaussian()};
+    Take({kStep}, Inverse(before) * kStep * noise);
+  }
+  EXPECT_GT(trust_.Guess({kStep})->gain_m, 3.0);
+  EXPECT_GT(trust_.Guess({kStep})->gain_rad, 3.0);
+}
+
+TEST_F(WheelTrustOnADrive, WheelsOfTheWrongScaleAreNotTrustedMore) {
+  const SE2 motion{1.1 * kStep.x, 0, 1.1 * kStep.theta};
+  for (int i = 0; i < 400; ++i) Take({kStep}, motion);
+  EXPECT_DOUBLE_EQ(trust_.Guess({kStep})->gain_m, 1.0);
+  EXPECT_LT(trust_.Guess({kStep})->gain_rad, 2.0);
+}
+
+TEST_F(WheelTrustOnADrive, OneSlipCostsTheExtraTrust) {
+  DriveWell(1000);
+  ASSERT_GT(trust_.Guess({kStep})->gain_m, 20.0);
+  Take({kStep}, {0.5, 0, 0.5});
+  DriveWell(20);
+  EXPECT_DOUBLE_EQ(trust_.Guess({kStep})->gain_m, 1.0);
+  EXPECT_DOUBLE_EQ(trust_.Guess({kStep})->gain_rad, 1.0);
+}
+
 TEST_F(WheelTrustOnADrive, FaultyReadingsSayNothing) {
   DriveWell(10);
   for (const OdometryFault fault : {OdometryFault::kFirst, OdometryFault::kImpossible,

@@ -114,6 +114,27 @@ TEST_F(ClosureSets, ContradictOthersOfTheSameStretchOnly) {
   EXPECT_FALSE(Contradict(options_, path_, records_, set, other));
 }
 
+// In twin corridors each closure has a twin, a corridor's width off; the estimate tells them apart.
+TEST_F(ClosureSets, WhatDriftExplainsFarMoreEasilyIsLikelier) {
+  const auto has_rival = [this](double rival_gate, double off_m, int nodes_on, Verdict verdict,
+                                Source source) {
+    records_.clear();
+    Closures(1, 11.0, 7.0);
+    records_[0].verdict = Verdict::kUnconfirmed;
+    Closures(1, rival_gate, off_m, nodes_on);
+    records_[1].verdict = verdict;
+    records_[1].source = source;
+    return HasLikelierRival(options_, path_, records_, records_[0]);
+  };
+  EXPECT_TRUE(has_rival(0.5, 0.0, 4, Verdict::kUnconfirmed, Source::kNear));
+  EXPECT_TRUE(has_rival(0.5, 0.0, 4, Verdict::kAccepted, Source::kNear));
+  EXPECT_FALSE(has_rival(0.5, 7.0, 4, Verdict::kAccepted, Source::kNear)) << "says the same";
+  EXPECT_FALSE(has_rival(9.0, 0.0, 4, Verdict::kAccepted, Source::kNear)) << "hardly likelier";
+  EXPECT_FALSE(has_rival(0.5, 0.0, 40, Verdict::kAccepted, Source::kNear)) << "far away";
+  EXPECT_FALSE(has_rival(0.5, 0.0, 4, Verdict::kOverlap, Source::kNear)) << "refused";
+  EXPECT_FALSE(has_rival(0.5, 0.0, 4, Verdict::kUnconfirmed, Source::kPlace)) << "a guess";
+}
+
 TEST_F(ClosureSets, PredictWhereANodeWouldBe) {
   const ClosureSet set = Closures(7, 5.0, 0.5);
   const ClosureRecord& nearest = NearestMember(path_, records_, set, 115);

@@ -128,7 +128,7 @@ TEST_F(OneStep, ConstantInformationIsInverseToTheSquaredSigmasWhateverTheHeading
 TEST_F(OneStep, WithoutAMatchTheMotionModelIsAllThereIs) {
   const MotionModel motion_model({});
   step_.matched = false;
-  step_.world_covariance = motion_model.Covariance(step_.world_T_previous, step_.control);
+  step_.world_covariance = motion_model.Covariance(step_.world_T_previous, step_.control, 1.0);
   // The motion model's noise has the axes of the previous pose, as an edge has.
   const Eigen::Matrix3d expected =
       motion_model.Sigmas(step_.control).array().square().inverse().matrix().asDiagonal();

@@ -15,21 +15,22 @@ using Eigen::Vector3d;
 
 struct Case {
   SE2 previous, u;
+  double noise = 1.0;
 };
 
 class Sampling : public testing::TestWithParam<Case> {};
 
 TEST_P(Sampling, HasTheMeanAndTheCovarianceOfTheClosedForm) {
-  const auto& [previous, u] = GetParam();
+  const auto& [previous, u, noise] = GetParam();
   const MotionModel model({});
   const SE2 mean = previous * u;
-  const Matrix3d expected = model.Covariance(previous, u, 1.0);
+  const Matrix3d expected = model.Covariance(previous, u, noise);
   constexpr int kSamples = 20000;
   backend::CounterRandom random(3, 0);
   Vector3d sum = Vector3d::Zero();
   Matrix3d sum_of_squares = Matrix3d::Zero();
   for (int i = 0; i < kSamples; ++i) {
-    const SE2 sample = model.Sample(previous, u, 1.0, &random);
+    const SE2 sample = model.Sample(previous, u, noise, &random);
     const Vector3d d(sample.x - mean.x, sample.y - mean.y,
                      backend::WrapAngle(sample.theta - mean.theta));
     sum += d;
@@ -51,6 +52,7 @@ TEST_P(Sampling, HasTheMeanAndTheCovarianceOfTheClosedForm) {
 INSTANTIATE_TEST_SUITE_P(MotionModel, Sampling,
                          testing::Values(Case{{0, 0, 0}, {0, 0, 0}}, Case{{0, 0, 0}, {1, 0, 0}},
                                          Case{{5, -3, 1.2}, {1, 0, 0}},
+                                         Case{{5, -3, 1.2}, {1, 0, 0}, 0.1},
                                          Case{{5, -3, -2.5}, {0.4, 0.3, 0.5}},
                                          Case{{-1, 2, 3.1}, {-0.7, 0, 0.4}},
                                          Case{{0, 0, 0.7}, {0, 0, -0.5}}));
@@ -82,6 +84,13 @@ TEST(MotionModel, NoiseGrowsWithTheMotionAndDoesNotDependOnItsSign) {
 TEST(MotionModel, RobotThatStandsStillKeepsTheFloor) {
   const MotionModel model({.linear_floor_m = 0.02, .angular_floor_rad = 0.03});
   EXPECT_EQ(model.Sigmas({0, 0, 0}), Vector3d(0.02, 0.02, 0.03));
+}
+
+TEST(MotionModel, NoiseScalesTheStandardDeviations) {
+  const MotionModel model({});
+  const Matrix3d whole = model.Covariance({5, -3, 1.2}, {1, 0, 0.3}, 1.0);
+  const Matrix3d tenth = model.Covariance({5, -3, 1.2}, {1, 0, 0.3}, 0.1);
+  EXPECT_LT((100.0 * tenth - whole).norm(), 1e-12);
 }
 
 TEST(MotionModel, CovarianceTurnsWithTheHeading) {

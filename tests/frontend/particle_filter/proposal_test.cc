@@ -36,7 +36,7 @@ SE2 Moved(const SE2& pose, const Vector3d& offset) {
 // After a metre straight on, predicted slightly beside the truth.
 PoseGaussian PriorNear(const SE2& truth) {
   const SE2 previous = truth * SE2{-1, 0, 0};
-  return {truth * SE2{0.02, -0.01, 0.01}, MotionModel({}).Covariance(previous, {1, 0, 0})};
+  return {truth * SE2{0.02, -0.01, 0.01}, MotionModel({}).Covariance(previous, {1, 0, 0}, 1.0)};
 }
 
 Proposal MatchAndPropose(const map::OccupancyGrid& grid, const ScanPoints& points,
@@ -99,7 +99,7 @@ TEST(ComputeProposal, MeanRecoversAPerturbedPoseToACentimetreAndAFifthOfADegree)
     const SE2 predicted = truth * SE2{offset(0.1), offset(0.1), offset(4.0 * kDeg)};
     EndpointModel model({}, &grid, &points);
     const PoseGaussian prior{predicted,
-                             MotionModel({}).Covariance(predicted * SE2{-1, 0, 0}, {1, 0, 0})};
+                             MotionModel({}).Covariance(predicted * SE2{-1, 0, 0}, {1, 0, 0}, 1.0)};
     const SE2 error = Between(truth, MatchAndPropose(grid, points, prior, &model).gaussian.mean);
     EXPECT_LT(error.translation().norm(), 0.01) << trial;
     EXPECT_LT(std::abs(error.theta), 0.2 * kDeg) << trial;
