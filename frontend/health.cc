@@ -31,12 +31,13 @@ void Health::Mark(const std::string& kind, double stamp_s) {
   // A clock that was set back starts another stretch, too.
   if (stretches.empty() || stamp_s >= stretches.back().end_s + kMaxGapWithinStretchS ||
       stamp_s <= stretches.back().begin_s - kMaxGapWithinStretchS) {
-    stretches.push_back({stamp_s, stamp_s});
+    stretches.push_back({.begin_s = stamp_s, .end_s = stamp_s});
     return;
   }
   Stretch& last = stretches.back();
   last.begin_s = std::min(last.begin_s, stamp_s);
   last.end_s = std::max(last.end_s, stamp_s);
+  ++last.scans;
 }
 
 void Health::LogSummary() const {
@@ -48,11 +49,15 @@ void Health::LogSummary() const {
   }
   for (const auto& [kind, stretches] : stretches_) {
     double total_s = 0.0;
-    for (const Stretch& stretch : stretches) total_s += stretch.end_s - stretch.begin_s;
+    std::int64_t scans = 0;
+    for (const Stretch& stretch : stretches) {
+      total_s += stretch.end_s - stretch.begin_s;
+      scans += stretch.scans;
+    }
     LOG(WARNING) << kind << ": " << stretches.size()
-                 << (stretches.size() == 1 ? " stretch" : " stretches") << " of "
-                 << Seconds(total_s) << " in all; the first from "
-                 << Seconds(stretches.front().begin_s) << " to "
+                 << (stretches.size() == 1 ? " stretch" : " stretches") << " of " << scans
+                 << (scans == 1 ? " scan and " : " scans and ") << Seconds(total_s)
+                 << " in all; the first from " << Seconds(stretches.front().begin_s) << " to "
                  << Seconds(stretches.front().end_s);
   }
 }

@@ -53,6 +53,7 @@ TEST(Health, ScansNearOneAnotherAreOneStretch) {
   ASSERT_EQ(lost.size(), 2u);
   EXPECT_EQ(lost[0].begin_s, 10.0);
   EXPECT_EQ(lost[0].end_s, 13.5);
+  EXPECT_EQ(lost[0].scans, 3);
   EXPECT_EQ(lost[1].begin_s, 15.5);
   EXPECT_EQ(lost[1].end_s, 16.0);
 }
@@ -78,9 +79,10 @@ TEST(Health, SummaryHasALineForEachKindThatCameMoreThanOnce) {
   health.Mark("lost", 5.0);
   health.Mark("lost", 6.5);
   const std::string logged = Logged(health);
-  EXPECT_THAT(logged,
-              AllOf(HasSubstr("often: 3 times from 1.000 s to 3.000 s; the first: again"),
-                    HasSubstr("lost: 1 stretch of 1.500 s in all; the first from 5.000 s")));
+  EXPECT_THAT(
+      logged,
+      AllOf(HasSubstr("often: 3 times from 1.000 s to 3.000 s; the first: again"),
+            HasSubstr("lost: 1 stretch of 2 scans and 1.500 s in all; the first from 5.000 s")));
   EXPECT_THAT(logged, Not(HasSubstr("once")));
   EXPECT_EQ(std::count(logged.begin(), logged.end(), '\n'), 2);
 }

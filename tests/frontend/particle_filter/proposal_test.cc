@@ -33,10 +33,17 @@ SE2 Moved(const SE2& pose, const Vector3d& offset) {
   return {pose.x + offset.x(), pose.y + offset.y(), pose.theta + offset.z()};
 }
 
+// As wide as plain GMapping's, so that a corridor shows.
+const MotionModel kMotionModel({.linear_per_linear = 0.2,
+                                .linear_per_angular = 0.1,
+                                .lateral_per_linear = 0.1,
+                                .angular_per_linear = 0.2,
+                                .angular_per_angular = 0.2});
+
 // After a metre straight on, predicted slightly beside the truth.
 PoseGaussian PriorNear(const SE2& truth) {
   const SE2 previous = truth * SE2{-1, 0, 0};
-  return {truth * SE2{0.02, -0.01, 0.01}, MotionModel({}).Covariance(previous, {1, 0, 0}, 1.0)};
+  return {truth * SE2{0.02, -0.01, 0.01}, kMotionModel.Covariance(previous, {1, 0, 0}, 1.0)};
 }
 
 Proposal MatchAndPropose(const map::OccupancyGrid& grid, const ScanPoints& points,
@@ -99,7 +106,7 @@ TEST(ComputeProposal, MeanRecoversAPerturbedPoseToACentimetreAndAFifthOfADegree)
     const SE2 predicted = truth * SE2{offset(0.1), offset(0.1), offset(4.0 * kDeg)};
     EndpointModel model({}, &grid, &points);
     const PoseGaussian prior{predicted,
-                             MotionModel({}).Covariance(predicted * SE2{-1, 0, 0}, {1, 0, 0}, 1.0)};
+                             kMotionModel.Covariance(predicted * SE2{-1, 0, 0}, {1, 0, 0}, 1.0)};
     const SE2 error = Between(truth, MatchAndPropose(grid, points, prior, &model).gaussian.mean);
     EXPECT_LT(error.translation().norm(), 0.01) << trial;
     EXPECT_LT(std::abs(error.theta), 0.2 * kDeg) << trial;
