@@ -112,6 +112,7 @@ std::optional<double> World::CastRay(const Eigen::Vector2d& world_origin, double
 
   const double per_step = 1.0 / std::max(std::abs(dx), std::abs(dy));
   double range = 0.0, next_x = crossing_x(), next_y = crossing_y();
+  // Never back: a ray that runs along an edge, less than rounding off it, crosses it again and again.
   while (range <= max_range) {
     const int clearance = ClearanceAt(column, row);
     if (clearance == 0) return range * raster_.resolution_m;
@@ -123,12 +124,12 @@ std::optional<double> World::CastRay(const Eigen::Vector2d& world_origin, double
       next_x = crossing_x();
       next_y = crossing_y();
     } else if (next_x < next_y) {
-      range = next_x;
+      range = std::max(range, next_x);
       column += step_x;
       if (column < 0 || column >= raster_.width) break;
       next_x = crossing_x();
     } else {
-      range = next_y;
+      range = std::max(range, next_y);
       row += step_y;
       if (row < 0 || row >= raster_.height) break;
       next_y = crossing_y();

@@ -112,6 +112,14 @@ TEST(World, RaysMeetTheNearestOfScatteredCells) {
   EXPECT_LT(hits, 1900);
 }
 
+// The wall is 160 cells away: far enough for the ray to skip what is clear, again and again.
+TEST(World, ARayThatLeavesTheEdgeItRunsAlongByLessThanRoundingEnds) {
+  const World world = WorldOf("size: [6, 6]\nresolution: 0.025\nboxes: [[5, 0, 5.1, 6]]\n");
+  for (const double angle_rad : {-1e-17, 1e-17, -1e-300}) {
+    EXPECT_NEAR(world.CastRay({1.0, 2.5}, angle_rad, 30.0).value(), 4.0, 1e-9) << angle_rad;
+  }
+}
+
 TEST(World, RaysAlongTheAxesAreExact) {
   const World world = WorldOf(kTwoBoxes);
   const double pi = std::numbers::pi;
