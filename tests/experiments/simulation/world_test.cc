@@ -112,9 +112,12 @@ TEST(World, RaysMeetTheNearestOfScatteredCells) {
   EXPECT_LT(hits, 1900);
 }
 
-// The wall is 160 cells away: far enough for the ray to skip what is clear, again and again.
+// Past a box two cells beside it, so that the ray counts edges there, and skips what is clear as
+// soon as it is on the far side of the edge.
 TEST(World, ARayThatLeavesTheEdgeItRunsAlongByLessThanRoundingEnds) {
-  const World world = WorldOf("size: [6, 6]\nresolution: 0.025\nboxes: [[5, 0, 5.1, 6]]\n");
+  const World world = WorldOf(
+      "size: [6, 6]\nresolution: 0.025\nboxes: [[3, 2.55, 3.2, 3], [3.3, 2.575, 3.5, 3], "
+      "[5, 0, 5.1, 6]]\n");
   for (const double angle_rad : {-1e-17, 1e-17, -1e-300}) {
     EXPECT_NEAR(world.CastRay({1.0, 2.5}, angle_rad, 30.0).value(), 4.0, 1e-9) << angle_rad;
   }
