@@ -1,5 +1,6 @@
 #include "frontend/control_input.h"
 
+#include <algorithm>
 #include <string>
 
 namespace gmapping_spa::frontend {
@@ -20,6 +21,7 @@ ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
   } else {
     ReportFault(wheels, scan.stamp_s);
   }
+  ReportBlind(scan);
   ScanMotion motion = scan_odometry_.Advance(scan, wheels);
   if (options_.source == OdometrySource::kWheel) {
     if (motion.wheels_rejected || motion.wheels_silent) {
@@ -27,6 +29,7 @@ ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
                       "the scan contradicts the odometry by more than it is trusted; it is used "
                       "all the same");
     }
+    ReportUnmatched(motion, wheels, scan.stamp_s);
     ScanMotion believed;
     believed.motion = wheels.motion;
     believed.noise = motion.noise;
@@ -62,6 +65,31 @@ void ControlInput::ReportFault(const OdometryCheck::Step& wheels, double stamp_s
   }
 }
 
+// Once anything has been hit: a log without any hit is an error, and that is enough.
+void ControlInput::ReportBlind(const sensor::LaserScan& scan) {
+  if (std::none_of(scan.beams.begin(), scan.beams.end(), [](const sensor::Beam& beam) {
+        return beam.status == sensor::BeamStatus::kHit;
+      })) {
+    blind_stamps_s_.push_back(scan.stamp_s);
+  } else {
+    has_seen_ = true;
+  }
+  if (!has_seen_) return;
+  for (const double stamp_s : blind_stamps_s_) {
+    health_->Report(
+        "blind_scan", stamp_s,
+        "no beam of a scan hits anything: the laser is covered, or nothing is in range");
+  }
+  blind_stamps_s_.clear();
+}
+
+void ControlInput::ReportUnmatched(const ScanMotion& motion, const OdometryCheck::Step& wheels,
+                                   double stamp_s) {
+  if (motion.matched || wheels.fault == OdometryFault::kRepeatedScan) return;
+  health_->Report("unmatched_scan", stamp_s, "a scan does not fit what was seen before");
+  health_->Mark("lost", stamp_s);
+}
+
 void ControlInput::ReportMatch(const ScanMotion& motion, const OdometryCheck::Step& wheels,
                                double stamp_s) {
   if (motion.wheels_silent) {
@@ -88,10 +116,7 @@ void ControlInput::ReportMatch(const ScanMotion& motion, const OdometryCheck::St
                         " places; the particles share them out");
     health_->Mark("ambiguous", stamp_s);
   }
-  if (!motion.matched && wheels.fault != OdometryFault::kRepeatedScan) {
-    health_->Report("unmatched_scan", stamp_s, "a scan does not fit what was seen before");
-    health_->Mark("lost", stamp_s);
-  }
+  ReportUnmatched(motion, wheels, stamp_s);
   if (motion.new_piece_scans > 0) {
     health_->Report("new_piece", stamp_s,
                     "the scans do not fit what was seen before, but each other: lost; going on in "

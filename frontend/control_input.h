@@ -3,6 +3,7 @@
 #define GMAPPING_SPA_FRONTEND_CONTROL_INPUT_H_
 
 #include <cstdint>
+#include <vector>
 
 #include "frontend/health.h"
 #include "frontend/scan_odometry.h"
@@ -34,6 +35,9 @@ class ControlInput {
 
  private:
   void ReportFault(const sensor::OdometryCheck::Step& wheels, double stamp_s);
+  void ReportBlind(const sensor::LaserScan& scan);
+  void ReportUnmatched(const ScanMotion& motion, const sensor::OdometryCheck::Step& wheels,
+                       double stamp_s);
   void ReportMatch(const ScanMotion& motion, const sensor::OdometryCheck::Step& wheels,
                    double stamp_s);
 
@@ -41,6 +45,8 @@ class ControlInput {
   Health* health_;
   sensor::OdometryCheck check_;
   ScanOdometry scan_odometry_;
+  bool has_seen_ = false;               // any obstacle so far
+  std::vector<double> blind_stamps_s_;  // of scans without a hit that are not reported yet
 };
 
 }  // namespace gmapping_spa::frontend

@@ -21,7 +21,7 @@ struct Finding {
 struct Stretch {
   double begin_s = 0.0;
   double end_s = 0.0;
-  std::int64_t scans = 1;
+  std::int64_t scans = 1;  // that were marked
 };
 
 // Collects findings by their kind, a short name such as "odometry_restart" that stands in the run

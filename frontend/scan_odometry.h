@@ -94,7 +94,7 @@ class ScanOdometry {
   void CountBehindWalls(Match* match) const;
   static std::vector<backend::SE2> SearchCenters(const MotionPrior& prior,
                                                  const scan_matching::SearchWindow& window);
-  std::vector<Match> Search(const backend::SE2& centre, const scan_matching::SearchWindow& window);
+  std::vector<Match> Search(const backend::SE2& center, const scan_matching::SearchWindow& window);
   bool IsConvincing(const Match& match, const MotionPrior& prior) const;
   double Nats(const Match& match, double least_unknown) const;
   void Rank(const MotionPrior& prior, std::vector<Match>* matches) const;

@@ -18,10 +18,10 @@ constexpr double kContradicts = 9.0;  // squared standard deviations
 constexpr int kSilentScans = 3;
 constexpr double kTurns_rad = 0.02;  // more than what scans and wheels are off by
 
-constexpr int kBlockScans = 20;
+constexpr int kBlockScans = 20;       // in which the wheels moved
 constexpr double kBlockShare = 0.05;  // least share of a block in the running means
 constexpr double kMaxBlockError = 10.0;
-// Wheels have a variance of this many times their mean error: it is shared in with them.
+// The mean is of few blocks: the variance may be this many times as large.
 constexpr double kErrorToVariance = 2.0;
 constexpr double kMostGain = 100.0;  // ten times surer than expected, no more
 

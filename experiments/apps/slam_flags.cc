@@ -25,14 +25,16 @@ DEFINE_int32(threads, kSlam.filter.threads,
 DEFINE_double(linear_update_m, kSlam.linear_update_m,
               "The filter is updated after this much driving, m; with scans of fewer than 90 beams "
               "sooner, by the square of their number.");
-DEFINE_double(angular_update_rad, kSlam.angular_update_rad,
-              "The filter is updated after this much turning, rad; with scans of fewer than 90 beams "
-              "sooner, as with --linear_update_m.");
+DEFINE_double(
+    angular_update_rad, kSlam.angular_update_rad,
+    "The filter is updated after this much turning, rad; with scans of fewer than 90 beams "
+    "sooner, as with --linear_update_m.");
 DEFINE_double(resample_threshold, kSlam.filter.resample_threshold,
               "Resample when N_eff is below this part of the number of particles.");
 DEFINE_string(
     odometry, "scan_matched",
-    "Control input of the filter: wheel (the log's odometry), scan_matched (every scan is matched "
+    "Control input of the filter: wheel (the log's odometry; scans tell how far to trust it), "
+    "scan_matched (every scan is matched "
     "with the last ones, the wheels are a part of the prior) or lidar_only (scans alone; the log's "
     "odometry is not used).");
 DEFINE_double(max_speed_m_s, kSlam.control.check.max_speed_m_s,
@@ -71,21 +73,32 @@ DEFINE_double(likelihood_sigma_m, kEndpoint.likelihood_sigma_m,
               "Standard deviation of a beam's end point in the likelihood.");
 DEFINE_double(likelihood_gain, kEndpoint.likelihood_gain,
               "Exponent of the likelihood of a scan: less than 1 as beams are not independent.");
-DEFINE_bool(unseen_is_miss, kEndpoint.unseen_is_miss,
-            "For the weights of particles, a beam that ends where no beam has been yet counts as one "
-            "that does not fit the map, as in GMapping; else as one that says nothing.");
+DEFINE_bool(
+    unseen_is_miss, kEndpoint.unseen_is_miss,
+    "For the weights of particles, a beam that ends where no beam has been yet counts as one "
+    "that does not fit the map, as in GMapping; else as one that says nothing.");
 DEFINE_double(unmatched_sigmas, kEndpoint.unmatched_sigmas,
               "A beam that the map does not explain counts as this far off.");
 
-DEFINE_double(motion_linear_per_linear, kMotion.linear_per_linear, "Noise, m per m driven.");
-DEFINE_double(motion_linear_per_angular, kMotion.linear_per_angular, "Noise, m per rad turned.");
-DEFINE_double(motion_lateral_per_linear, kMotion.lateral_per_linear,
-              "Noise across the motion, m per m driven.");
-DEFINE_double(motion_angular_per_linear, kMotion.angular_per_linear, "Noise, rad per m driven.");
-DEFINE_double(motion_angular_per_angular, kMotion.angular_per_angular,
-              "Noise, rad per rad turned.");
-DEFINE_double(motion_linear_floor_m, kMotion.linear_floor_m, "Noise without motion.");
-DEFINE_double(motion_angular_floor_rad, kMotion.angular_floor_rad, "Noise without motion.");
+DEFINE_double(motion_linear_per_linear, kMotion.linear_per_linear,
+              "Motion model: standard deviation of the position along the motion, m per m driven "
+              "(GMapping's srr).");
+DEFINE_double(
+    motion_linear_per_angular, kMotion.linear_per_angular,
+    "Motion model: standard deviation of the position, m per rad turned (GMapping's str).");
+DEFINE_double(
+    motion_lateral_per_linear, kMotion.lateral_per_linear,
+    "Motion model: standard deviation of the position across the motion, m per m driven.");
+DEFINE_double(
+    motion_angular_per_linear, kMotion.angular_per_linear,
+    "Motion model: standard deviation of the heading, rad per m driven (GMapping's srt).");
+DEFINE_double(
+    motion_angular_per_angular, kMotion.angular_per_angular,
+    "Motion model: standard deviation of the heading, rad per rad turned (GMapping's stt).");
+DEFINE_double(motion_linear_floor_m, kMotion.linear_floor_m,
+              "Motion model: standard deviation of the position of a robot that stands still, m.");
+DEFINE_double(motion_angular_floor_rad, kMotion.angular_floor_rad,
+              "Motion model: standard deviation of the heading of a robot that stands still, rad.");
 
 namespace gmapping_spa::apps {
 namespace {
@@ -114,11 +127,11 @@ frontend::ImprovedGmapping::Options SlamOptionsFromFlags() {
   frontend::ImprovedGmapping::Options options;
   options.linear_update_m = NotNegative("linear_update_m", FLAGS_linear_update_m);
   options.angular_update_rad = NotNegative("angular_update_rad", FLAGS_angular_update_rad);
-  options.control.source = OneOf<frontend::OdometrySource>(
-      "odometry", FLAGS_odometry,
-      {{"wheel", frontend::OdometrySource::kWheel},
-       {"scan_matched", frontend::OdometrySource::kScanMatched},
-       {"lidar_only", frontend::OdometrySource::kLidarOnly}});
+  options.control.source =
+      OneOf<frontend::OdometrySource>("odometry", FLAGS_odometry,
+                                      {{"wheel", frontend::OdometrySource::kWheel},
+                                       {"scan_matched", frontend::OdometrySource::kScanMatched},
+                                       {"lidar_only", frontend::OdometrySource::kLidarOnly}});
   sensor::OdometryCheck::Options& check = options.control.check;
   check.max_speed_m_s = InRange("max_speed_m_s", FLAGS_max_speed_m_s, 0.01, 1000.0);
   check.max_turn_rad_s = InRange("max_turn_rad_s", FLAGS_max_turn_rad_s, 0.01, 1000.0);

@@ -14,7 +14,8 @@
 namespace gmapping_spa::simulation {
 
 // Hands on the scans that sensor::OpenCarmenLog would read from the log of the same readings with
-// its default options; the laser's mounting is exact here, there a mean of rounded poses (< 1 um off).
+// its default options; the laser's mounting is exact here, and there a mean of rounded poses, less
+// than 1 um off.
 class ScanPlayer : public LogSink {
  public:
   explicit ScanPlayer(std::function<void(const sensor::LaserScan&)> play)

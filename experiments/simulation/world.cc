@@ -112,7 +112,7 @@ std::optional<double> World::CastRay(const Eigen::Vector2d& world_origin, double
 
   const double per_step = 1.0 / std::max(std::abs(dx), std::abs(dy));
   double range = 0.0, next_x = crossing_x(), next_y = crossing_y();
-  // Never back: a ray that runs along an edge, less than rounding off it, crosses it again and again.
+  // Never back: a ray along an edge, off it by less than rounding, crosses it again and again.
   while (range <= max_range) {
     const int clearance = ClearanceAt(column, row);
     if (clearance == 0) return range * raster_.resolution_m;

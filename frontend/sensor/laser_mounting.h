@@ -12,10 +12,10 @@
 namespace gmapping_spa::sensor {
 
 // FLASER and ROBOTLASER1 records have a pose of the laser beside that of the robot. In raw logs the
-// one follows from the other by the mounting; in corrected logs, which are common, the laser's comes
-// from a map and says nothing about it, and some loggers never set it. So the first such records are held back and compared: where all agree
-// on one mounting, it is used for all scans that have no other, else the laser is taken to be where
-// the robot is.
+// one follows from the other by the mounting; in corrected logs, which are common, the laser's
+// comes from a map and says nothing about it, and some loggers never set it. So the first such
+// records are held back and compared: where all agree on one mounting, it is used for all scans
+// that have no other, else the laser is taken to be where the robot is.
 //
 // Held back are the records up to the 100th such scan; more, up to the 1000th, while the robot has
 // turned less than 0.3 rad; none where the first laser is at the robot's pose, as in most logs.

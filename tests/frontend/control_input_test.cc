@@ -75,6 +75,40 @@ TEST_F(ControlInputInARoom, WheelsAreTakenAsTheyAreIfThatIsAskedForButNotWithout
   EXPECT_EQ(Findings(), Kinds{"odometry_contradicted"});
 }
 
+TEST_F(ControlInputInARoom, ABlindScanIsReported) {
+  Start(OdometrySource::kScanMatched);
+  DriveUpTo(20);
+  sensor::LaserScan blind = ScanAt(21);
+  for (sensor::Beam& beam : blind.beams) beam.status = sensor::BeamStatus::kInvalid;
+  Take(blind);
+  EXPECT_EQ(Findings(), Kinds{"blind_scan"});
+  EXPECT_EQ(health_.findings().at("blind_scan").count, 1);
+}
+
+TEST_F(ControlInputInARoom, BlindScansAtTheBeginAreReportedWithTheFirstThatIsNot) {
+  Start(OdometrySource::kScanMatched);
+  for (; step_ < 3; ++step_) {
+    sensor::LaserScan blind = ScanAt(step_);
+    for (sensor::Beam& beam : blind.beams) beam.status = sensor::BeamStatus::kNoReturn;
+    Take(blind);
+    EXPECT_EQ(Findings(), Kinds{});
+  }
+  DriveUpTo(10);
+  EXPECT_EQ(health_.findings().at("blind_scan").count, 3);
+  EXPECT_DOUBLE_EQ(health_.findings().at("blind_scan").first_stamp_s, 100.0);
+}
+
+TEST_F(ControlInputInARoom, WheelsThatAreBelievedDoNotHideThatNothingFits) {
+  Start(OdometrySource::kWheel);
+  DriveUpTo(20);
+  for (int step = 21; step < 25; ++step) {
+    sensor::LaserScan elsewhere = ScanAt(step);
+    for (sensor::Beam& beam : elsewhere.beams) beam.range_m *= beam.angle_rad > 0 ? 0.3 : 2.5;
+    ExpectNear(Take(elsewhere).motion, Between(OnRound(step - 1), OnRound(step)), 1e-9, 1e-9);
+  }
+  EXPECT_GE(health_.findings().count("unmatched_scan"), 1u);
+}
+
 TEST_F(ControlInputInARoom, AnImpossibleStepIsLeftOutAndReportedWithItsTime) {
   for (const OdometrySource source : {OdometrySource::kWheel, OdometrySource::kScanMatched}) {
     health_ = {};
