@@ -119,11 +119,14 @@ scan_matching::CorrelativeMatcher::Options Verifier::SearchOptions(
 ClosureRecord Verifier::Verify(const std::vector<SE2>& world_T_nodes,
                                const ScanOfNode& scan_of_node, int node,
                                const Candidate& candidate) const {
-  ClosureRecord record = Compare(
-      world_T_nodes, scan_of_node, node, candidate,
-      {Between(world_T_nodes[candidate.old_node], world_T_nodes[node]), WindowOf(candidate.way_m)});
-  if (record.verdict == Verdict::kUnconfirmed && record.gate > options_.max_gate) {
+  const Expectation expectation{Between(world_T_nodes[candidate.old_node], world_T_nodes[node]),
+                                WindowOf(candidate.way_m)};
+  ClosureRecord record = Compare(world_T_nodes, scan_of_node, node, candidate, expectation);
+  if (record.verdict != Verdict::kUnconfirmed) return record;
+  if (record.gate > options_.max_gate) {
     record.verdict = Verdict::kGate;
+  } else if (expectation.window.linear_m > kSmallWindow_m) {
+    AskOldScans(world_T_nodes, scan_of_node, expectation, &record);
   }
   return record;
 }
@@ -133,23 +136,28 @@ ClosureRecord Verifier::VerifyAt(const std::vector<SE2>& world_T_nodes,
                                  const Candidate& candidate, const Expectation& expectation) const {
   ClosureRecord record = Compare(world_T_nodes, scan_of_node, node, candidate, expectation);
   if (record.verdict != Verdict::kUnconfirmed && record.verdict != Verdict::kOverlap) return record;
-  const bool is_found = record.verdict == Verdict::kUnconfirmed;
-  const NodeRange old_nodes = NodesAround(world_T_nodes, candidate.old_node, options_.old_reach_m);
-  const NodeRange new_nodes = NodesAround(world_T_nodes, node, options_.new_reach_m);
+  AskOldScans(world_T_nodes, scan_of_node, expectation, &record);
+  return record;
+}
+
+void Verifier::AskOldScans(const std::vector<SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
+                           const Expectation& expectation, ClosureRecord* record) const {
+  const bool is_found = record->verdict == Verdict::kUnconfirmed;
+  const NodeRange old_nodes = NodesAround(world_T_nodes, record->old_node, options_.old_reach_m);
+  const NodeRange new_nodes = NodesAround(world_T_nodes, record->node, options_.new_reach_m);
   const scan_matching::ScanPoints points =
-      JoinScans(world_T_nodes, scan_of_node, old_nodes, candidate.old_node, options_.cell_m);
+      JoinScans(world_T_nodes, scan_of_node, old_nodes, record->old_node, options_.cell_m);
   const Explanation explanation = Explain(
-      BuildLocalMap(world_T_nodes, scan_of_node, new_nodes, node, options_.grid), points,
-      Inverse(is_found ? record.old_T_node : expectation.old_T_node), options_.grid.full_threshold,
+      BuildLocalMap(world_T_nodes, scan_of_node, new_nodes, record->node, options_.grid), points,
+      Inverse(is_found ? record->old_T_node : expectation.old_T_node), options_.grid.full_threshold,
       is_found ? 1 : static_cast<int>(std::ceil(kPredicted_m / options_.grid.resolution_m)));
-  record.mutual_fit = explanation.part();
+  record->mutual_fit = explanation.part();
   // Where new scans see little that is known, what they see through still speaks.
   const bool says_much = is_found || explanation.known >= 0.5 * options_.min_expected_overlap *
                                                               static_cast<double>(points.size());
-  if (says_much && record.mutual_fit < options_.min_mutual_fit) {
-    record.verdict = Verdict::kSeenThrough;
+  if (says_much && record->mutual_fit < options_.min_mutual_fit) {
+    record->verdict = Verdict::kSeenThrough;
   }
-  return record;
 }
 
 ClosureRecord Verifier::Compare(const std::vector<SE2>& world_T_nodes,

@@ -47,7 +47,7 @@ class Verifier {
   Verifier(const Options& options, const DriftModel& drift, const CandidateOptions& candidates);
 
   // Looks where the estimate and its drift say. Of the verdicts up to kUnconfirmed, which is that
-  // of what passed.
+  // of what passed. Where drift leaves a large window, the old scans must fit the new map as well.
   ClosureRecord Verify(const std::vector<backend::SE2>& world_T_nodes,
                        const ScanOfNode& scan_of_node, int node, const Candidate& candidate) const;
 
@@ -66,6 +66,9 @@ class Verifier {
   ClosureRecord Compare(const std::vector<backend::SE2>& world_T_nodes,
                         const ScanOfNode& scan_of_node, int node, const Candidate& candidate,
                         const Expectation& expectation) const;
+  // Whether the old scans fit the map of the new ones as well: mutual_fit, and its verdict.
+  void AskOldScans(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
+                   const Expectation& expectation, ClosureRecord* record) const;
   scan_matching::CorrelativeMatcher::Options SearchOptions(
       const scan_matching::SearchWindow& window) const;
 

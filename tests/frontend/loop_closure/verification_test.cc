@@ -129,6 +129,17 @@ TEST_F(Verification, OptionsDecideTheOtherVerdicts) {
   EXPECT_EQ(verdict(options), Verdict::kFit);
 }
 
+TEST_F(Verification, AfterALongWayTheOldScansAreAskedAsWell) {
+  DriveTwiceThroughTheRing(kDrift);
+  EXPECT_EQ(Verify(5, 11 + 5, 400.0).verdict, Verdict::kUnconfirmed);
+  EXPECT_GT(Verify(5, 11 + 5, 400.0).mutual_fit, 0.9);
+  Verifier::Options strict;
+  strict.min_mutual_fit = 1.01;
+  EXPECT_EQ(Verify(5, 11 + 5, 400.0, strict).verdict, Verdict::kSeenThrough);
+  // Where the estimate is good, it decides.
+  EXPECT_EQ(Verify(5, 11 + 5, 48.0, strict).verdict, Verdict::kUnconfirmed);
+}
+
 TEST_F(Verification, ACorridorWithoutFeaturesIsAmbiguous) {
   std::vector<SE2> pass;
   for (int k = 0; k <= 12; ++k) pass.push_back({1.0 * k, 0, 0});
