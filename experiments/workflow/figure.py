@@ -1,9 +1,11 @@
 """Figures of maps in rows and columns, as a study asks for them:
 
     figures:
-      - {title: Maps, rows: variant, columns: particles, log: building, where: {backend: spa}}
+      - {title: Maps, rows: variant, columns: particles, log: building, where: {backend: spa},
+         runs: [median, worst]}
 
-`log` and `where` are needed only where there is more than one cell at a place.
+`log` and `where` are needed only where there is more than one cell at a place. `runs` are those that are
+shown side by side of each cell; without it, the median run.
 """
 from __future__ import annotations
 
@@ -12,7 +14,8 @@ from typing import Any
 
 from yaml_entry import Entry, did_you_mean
 
-KEYS = ["title", "rows", "columns", "log", "where"]
+KEYS = ["title", "rows", "columns", "log", "where", "runs"]
+RUNS = ["median", "worst"]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -22,6 +25,7 @@ class Figure:
     rows: str
     columns: str
     selector: dict[str, Any]
+    runs: list[str]
 
     def grid(self, study) -> tuple[list, list, dict]:
         """Values of the rows, of the columns, and the cell at (row, column)."""
@@ -49,10 +53,18 @@ def _read_figure(entry: Entry, study) -> Figure:
         if "where" in parts else {}
     if "log" in parts:
         selector["log"] = parts["log"].text()
-    figure = Figure(parts["title"].text(), parts["rows"].text(), parts["columns"].text(), selector)
+    runs = [_read_run(run) for run in parts["runs"].sequence()] if "runs" in parts else ["median"]
+    figure = Figure(parts["title"].text(), parts["rows"].text(), parts["columns"].text(), selector,
+                    runs)
     cells = study.select(selector)
     if not cells:
         entry.fail("selects no cell of the study")
     if len(figure.grid(study)[2]) < len(cells):
         entry.fail("has more than one cell at a place; 'log' and 'where: {AXIS: VALUE}' choose one")
     return figure
+
+
+def _read_run(entry: Entry) -> str:
+    if entry.text() not in RUNS:
+        entry.fail(f"expected {' or '.join(RUNS)}, found {entry.found()}")
+    return entry.text()

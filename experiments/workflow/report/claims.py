@@ -3,12 +3,18 @@
     title: of the report
     source: where the claims come from
     claims:
-      - says: the claim
+      - place: where the paper says it
+        says: the claim
         tests:
-          - {study: NAME, compare: [{SELECTOR OF A}, {SELECTOR OF B}], metric: NAME, expect: better}
+          ALGORITHM:
+            - study: NAME
+              compare: [{SELECTOR OF A}, {SELECTOR OF B}]
+              metrics: [NAME, ...]
+              expect: better
 
-`expect` is of A: better (than B), or "not worse by 10 %" (of B), or "not worse by 0.1" (in the
-metric's unit).
+A claim gets a verdict for each algorithm that is taken for the one that the paper speaks of: an author's
+text and our program may differ. `expect` is of A: better (than B), or "not worse by 10 %" (of B), or
+"not worse by 0.1" (in the metric's unit).
 """
 import dataclasses
 import re
@@ -48,7 +54,11 @@ class Test:
 
 @dataclasses.dataclass(frozen=True)
 class Claim:
+    """Of one algorithm; claims that share a number are one claim of the paper."""
+    number: int
+    place: str
     says: str
+    algorithm: str
     tests: list[Test]
 
 
@@ -71,13 +81,15 @@ def _read_claims(file, studies):
     root.what = "claims"
     parts = _parts(root, ["title", "source", "claims"])
     read = []
-    for entry in parts["claims"].sequence():
-        below = _parts(entry, ["says", "tests"])
-        tests = [_read_test(test, studies) for test in below["tests"].sequence()]
-        if not tests:
-            below["tests"].fail("expected one test or more, found none")
-        if all(tests):
-            read.append(Claim(below["says"].text(), tests))
+    for number, entry in enumerate(parts["claims"].sequence(), 1):
+        below = _parts(entry, ["place", "says", "tests"])
+        for algorithm, tests in below["tests"].mapping().items():
+            found = [t for test in tests.sequence() for t in _read_tests(test, studies)]
+            if not found:
+                tests.fail("expected one test or more, found none")
+            if all(found):
+                read.append(Claim(number, below["place"].text(), below["says"].text(), algorithm,
+                                  found))
     return Claims(parts["title"].text(), parts["source"].text(), read)
 
 
@@ -90,20 +102,17 @@ def _parts(entry, names):
     return parts
 
 
-def _read_test(entry, studies):
-    """None for a test on a study that is not in the report."""
-    parts = _parts(entry, ["study", "compare", "metric", "expect"])
-    name, metric = parts["study"].text(), parts["metric"].text()
-    if metric not in METRICS:
-        parts["metric"].fail(f"unknown metric '{metric}'{did_you_mean(metric, METRICS)}")
-    if METRICS[metric].better == "none":
-        parts["metric"].fail(f"of '{metric}' neither more nor less is better")
+def _read_tests(entry, studies):
+    """One a metric; None for a test on a study that is not in the report."""
+    parts = _parts(entry, ["study", "compare", "metrics", "expect"])
+    name = parts["study"].text()
+    metrics = [_read_metric(metric) for metric in parts["metrics"].sequence()]
     expectation = _read_expectation(parts["expect"])
     if name not in studies:
         files = [file.stem for file in entry.file.parent.glob("*.yaml")]
         if name not in files:
             parts["study"].fail(f"no study '{name}' in this folder{did_you_mean(name, files)}")
-        return None
+        return [None]
     study, sides = studies[name], parts["compare"].sequence()
     if len(sides) != 2:
         parts["compare"].fail(f"expected two selectors, found {len(sides)}")
@@ -114,7 +123,16 @@ def _read_test(entry, studies):
         selection.pairs(study, a, b)
     except StudyError as error:
         parts["compare"].fail(str(error))
-    return Test(name, a, b, metric, expectation)
+    return [Test(name, a, b, metric, expectation) for metric in metrics]
+
+
+def _read_metric(entry):
+    metric = entry.text()
+    if metric not in METRICS:
+        entry.fail(f"unknown metric '{metric}'{did_you_mean(metric, METRICS)}")
+    if METRICS[metric].better == "none":
+        entry.fail(f"of '{metric}' neither more nor less is better")
+    return metric
 
 
 def _read_expectation(entry):

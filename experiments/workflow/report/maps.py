@@ -1,7 +1,9 @@
 """Maps side by side: in rows and columns as the study's figures say, else one after the other."""
 import dataclasses
 
-from . import median_run, pictures, selection
+from study import Cell
+
+from . import pictures, selection, shown_run
 from .tables import heading
 
 
@@ -34,68 +36,84 @@ def galleries(measured, scores):
 
     scores is the folder of <run id>.error_map.png."""
     for title, log, columns, rows in _layouts(measured):
-        runs = {id(cell): _median_result(measured, cell) for _, cells in rows for cell in cells}
-        rule = median_run.rule(measured, log)
+        runs = {place: _result(measured, place) for _, places in rows for place in places}
+        with_worst = any(place.which == "worst" for place in runs)
+        rule = shown_run.rule(measured, log, with_worst)
         yield Gallery(title, f"{MAPS} {rule}", columns, _map_rows(rows, runs, measured))
-        errors = {key: scores / f"{r.run.id}.error_map.png" for key, r in runs.items() if r}
+        errors = {place: scores / f"{r.run.id}.error_map.png" for place, r in runs.items() if r}
         if any(file.exists() for file in errors.values()):
             yield Gallery(f"{title}: error maps", ERRORS, columns, [
-                (name, [_error_panel(cell, runs, errors) for cell in cells])
-                for name, cells in rows])
+                (name, [_error_panel(place, runs, errors) for place in places])
+                for name, places in rows])
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class _Place:
+    """What a panel shows: `cell` is None where there is none, `which` is a name of shown_run."""
+    cell: Cell | None
+    which: str
 
 
 def _layouts(measured):
-    """(title, log, names of columns, [(name of row, cells)]); None where there is no cell."""
+    """(title, log, names of columns, [(name of row, places)])."""
     study = measured.study
     for figure in study.figures:
         rows, columns, cells = figure.grid(study)
         log = next(iter(cells.values())).log
-        yield (figure.title, log, [selection.label({figure.columns: c}) for c in columns],
-               [(selection.label({figure.rows: r}), [cells.get((r, c)) for c in columns])
+        yield (figure.title, log, [_column(figure, c, which) for c in columns for which in figure.runs],
+               [(selection.label({figure.rows: r}),
+                 [_Place(cells.get((r, c)), which) for c in columns for which in figure.runs])
                 for r in rows])
     if not study.figures:
         for log in measured.logs():
-            yield f"Maps, log {log}", log, [], [("", [c for c in study.cells if c.log == log])]
+            yield f"Maps, log {log}", log, [], [
+                ("", [_Place(c, "median") for c in study.cells if c.log == log])]
 
 
-def _median_result(measured, cell):
-    seed = median_run.median_seed(measured, cell) if cell else None
-    return None if seed is None else measured.result(cell, seed)
+def _column(figure, value, which):
+    label = selection.label({figure.columns: value})
+    return label if len(figure.runs) == 1 else f"{label}, {which} run"
+
+
+def _result(measured, place):
+    seed = shown_run.seed_of(measured, place.cell, place.which) if place.cell else None
+    return None if seed is None else measured.result(place.cell, seed)
 
 
 def _map_rows(rows, runs, measured):
-    maps = {key: pictures.read_map(result.folder / "map.yaml")
-            for key, result in runs.items() if result and not result.failed()}
+    maps = {place: pictures.read_map(result.folder / "map.yaml")
+            for place, result in runs.items() if result and not result.failed()}
     box = pictures.common_box(maps.values())
 
-    def panel(cell):
-        result = runs[id(cell)]
-        if id(cell) not in maps or box is None:
-            return _no_picture(cell, result)
+    def panel(place):
+        cell, result = place.cell, runs[place]
+        if place not in maps or box is None:
+            return _no_picture(place, result)
         metric = measured.main_metric(cell.log)
         value = measured.values(cell, metric)[result.run.seed] if metric else None
         shown = "" if value is None else f": {heading(metric)} {value:.3g}"
         return Panel(f"{selection.label_within_log(cell)}, seed {result.run.seed}{shown}",
                      f"Map of {cell.label()}, seed {result.run.seed}",
-                     pictures.map_png(maps[id(cell)].window(box)))
+                     pictures.map_png(maps[place].window(box)))
 
-    return [(name, [panel(cell) for cell in cells]) for name, cells in rows]
+    return [(name, [panel(place) for place in places]) for name, places in rows]
 
 
-def _error_panel(cell, runs, files):
-    result = runs[id(cell)]
-    file = files.get(id(cell))
+def _error_panel(place, runs, files):
+    cell, result = place.cell, runs[place]
+    file = files.get(place)
     if file is None or not file.exists():
-        return _no_picture(cell, result)
+        return _no_picture(place, result)
     return Panel(f"{selection.label_within_log(cell)}, seed {result.run.seed}",
                  f"Errors of the map of {cell.label()}, seed {result.run.seed}",
                  pictures.error_png(file))
 
 
-def _no_picture(cell, result):
-    if cell is None:
+def _no_picture(place, result):
+    if place.cell is None:
         return Panel("not part of the study", "", None)
     if result is None:
-        return Panel(f"{selection.label_within_log(cell)}: runs are missing", "", None)
-    return Panel(f"{selection.label_within_log(cell)}, seed {result.run.seed}: the median run "
-                 f"{'failed' if result.failed() else 'has no picture'}", "", None)
+        return Panel(f"{selection.label_within_log(place.cell)}: runs are missing", "", None)
+    what = "failed" if result.failed() else "has no picture"
+    return Panel(f"{selection.label_within_log(place.cell)}, seed {result.run.seed}: the {place.which} "
+                 f"run {what}", "", None)

@@ -10,15 +10,16 @@ from .table import Shown, Table, p_value
 from .tables import heading
 
 SIGNIFICANT = 0.05
-# From the least to the best. A claim is worth as much as the least of its tests.
-VERDICTS = ("not supported", "undecided", "supported")
+# From the least to the best; of a single test only the first, the third and the last.
+VERDICTS = ("not supported", "mixed", "undecided", "supported in part", "supported")
 CAPTION = (
     "A with B, paired by seed. Where A may be worse by some allowance, B is worsened by that much "
     "first. p is of Wilcoxon's signed-rank test (failed runs are the worst), with Holm's "
     "correction for the {n} tests of this table. Supported: A is better with p < 0.05; not supported: A is "
-    "worse with p < 0.05; undecided: neither. A claim is supported if all its tests are, and not "
-    "supported if one is not")
-HEADER = ["claim", "study", "where", "A", "B", "metric", "mean A", "mean B", "expected of A",
+    "worse with p < 0.05; undecided: neither. A claim is supported if all its tests are, in part if "
+    "some are and none contradicts it, not supported if some contradict it and none supports it, mixed if "
+    "there are both")
+HEADER = ["claim", "algorithm", "study", "where", "A", "B", "metric", "mean A", "mean B", "expected of A",
           "better / worse / equal", "p", "p (Holm)", "verdict"]
 
 
@@ -82,18 +83,31 @@ def judge(claims, measured):
             finding.p = p
         if family:
             tests.append(Table(name, CAPTION.format(n=len(family)), HEADER,
-                                [_row(f, claims.claims) for f in family]))
+                                [_row(f) for f in family]))
     judged, rows = [], []
     for claim in claims.claims:
         own = [f for f in findings if f.claim is claim]
-        verdict = min((f.verdict() for f in own), key=VERDICTS.index)
+        each = [f.verdict() for f in own]
+        verdict = of_claim(each)
         judged.append((claim, verdict, [f.line() for f in own]))
-        supported = sum(f.verdict() == "supported" for f in own)
-        rows.append([len(judged), claim.says, Shown(verdict, VERDICTS.index(verdict)),
-                     f"{supported} of {len(own)}"])
+        rows.append([claim.number, claim.place, claim.says, claim.algorithm,
+                     Shown(verdict, VERDICTS.index(verdict)),
+                     f"{each.count('supported')} / {each.count('not supported')} / "
+                     f"{each.count('undecided')}"])
     verdicts = Table("verdicts", "What the paper says, in our words, and what our runs say of it",
-                     ["No.", "claim", "verdict", "tests that support it"], rows)
+                     ["No.", "place", "claim", "of", "verdict",
+                      "tests for / against / undecided"], rows)
     return Findings(claims.title, claims.source, judged, verdicts, tests)
+
+
+def of_claim(of_tests):
+    """The verdict on a claim, from those of its tests."""
+    for_it, against = "supported" in of_tests, "not supported" in of_tests
+    if for_it and against:
+        return "mixed"
+    if for_it and "undecided" in of_tests:
+        return "supported in part"
+    return min(of_tests, key=VERDICTS.index)
 
 
 def _findings(claim, test, measured):
@@ -106,9 +120,8 @@ def _findings(claim, test, measured):
                       statistics.compare(a, worsened, lower))
 
 
-def _row(finding, claims):
-    number = next(k for k, claim in enumerate(claims, 1) if claim is finding.claim)
-    return [number, finding.test.study,
+def _row(finding):
+    return [finding.claim.number, finding.claim.algorithm, finding.test.study,
             *selection.labels_of_pair(finding.cell_a, finding.cell_b),
             heading(finding.test.metric), finding.mean_a, finding.mean_b,
             finding.test.expectation.text, finding.seeds(), p_value(finding.comparison.p),

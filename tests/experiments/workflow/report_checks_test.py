@@ -26,7 +26,7 @@ class ChecksTest(report_fixture.ResultsTestCase):
                 "[{variant: improved, particles: 5}, {variant: GMapping}]"))
 
     def test_claim_with_a_mistake_is_refused(self):
-        with self.assertRaisesRegex(StudyError, "claims.yaml:9: .*did you mean 'map_blur_m'"):
+        with self.assertRaisesRegex(StudyError, "claims.yaml:11: .*did you mean 'map_blur_m'"):
             self.check(claims=report_verdicts_test.CLAIMS.replace("map_blur_m", "map_blr_m"))
 
 

@@ -49,7 +49,9 @@ class FigureTest(report_fixture.ResultsTestCase):
                 ("{title: t, rows: variant, columns: particle}", "few_particles.yaml:17: columns: "
                  "'particle' is no axis of the study; did you mean 'particles'?"),
                 ("{title: t, rows: variant, columns: particles, log: bilding}",
-                 "few_particles.yaml:17: figures: selects no cell of the study")):
+                 "few_particles.yaml:17: figures: selects no cell of the study"),
+                ("{title: t, rows: variant, columns: particles, runs: [best]}",
+                 "few_particles.yaml:17: runs: expected median or worst, found 'best'")):
             with self.subTest(text):
                 self.assertEqual(self.complaint(text), complaint)
 

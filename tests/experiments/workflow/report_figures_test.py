@@ -20,6 +20,15 @@ class FiguresTest(report_fixture.ResultsTestCase):
             self.assertEqual(width, round(2 * figures.PANEL_WIDTH * figures.DPI))
             self.assertGreater(height, width / 2)  # two rows of maps that are wider than high
 
+    def test_the_worst_run_stands_beside_the_median_one(self):
+        text = self.results.study_file.read_text()
+        self.results.study_file.write_text(
+            text.replace("columns: particles}", "columns: particles, runs: [median, worst]}"))
+        self.results.study = self.results.load()
+        png = self.figures()["few_particles_two_by_two.png"]
+        self.assertEqual(Image.open(io.BytesIO(png)).size[0],
+                         round(4 * figures.PANEL_WIDTH * figures.DPI))
+
     def test_the_same_results_give_the_same_bytes(self):
         self.assertEqual(self.figures(), self.figures())
 

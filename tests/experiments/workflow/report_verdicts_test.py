@@ -9,12 +9,14 @@ CLAIMS = """
 title: Claims
 source: Made up.
 claims:
-  - says: Improved is clearer.
+  - place: 3.1, paragraph 2
+    says: Improved is clearer.
     tests:
-      - study: few_particles
-        compare: [{variant: improved, particles: 5}, {variant: GMapping, particles: 30}]
-        metric: map_blur_m
-        expect: better
+      ours:
+        - study: few_particles
+          compare: [{variant: improved, particles: 5}, {variant: GMapping, particles: 30}]
+          metrics: [map_blur_m]
+          expect: better
 """
 SIDES = "[{variant: improved, particles: 5}, {variant: GMapping, particles: 30}]"
 
@@ -74,27 +76,42 @@ class VerdictsTest(report_fixture.ResultsTestCase):
         self.assertEqual(self.verdict(text), "not supported")
         self.assertEqual(self.verdict(text.replace("better", "not worse by 0.07")), "supported")
 
-    def test_a_claim_is_worth_its_least_test(self):
+    def test_a_claim_is_worth_all_its_tests(self):
         two = CLAIMS + """\
-      - study: few_particles
-        compare: [{variant: GMapping, particles: 5}, {variant: GMapping, particles: 30}]
-        metric: map_blur_m
-        expect: better
+        - study: few_particles
+          compare: [{variant: GMapping, particles: 5}, {variant: GMapping, particles: 30}]
+          metrics: [map_blur_m]
+          expect: better
 """
         # Holm's correction makes 0.031 to 0.062 for both.
         self.assertEqual(self.verdict(two), "undecided")
         (_, _, lines), = self.judge(two).claims
         self.assertEqual(len(lines), 2)
         self.assertEqual(self.judge(two).verdicts.csv().splitlines()[1],
-                         "1,Improved is clearer.,undecided,0 of 2")
+                         '1,"3.1, paragraph 2",Improved is clearer.,ours,undecided,0 / 0 / 2')
         self.assertIn("p 0.0625", lines[0])
+
+    def test_a_claim_that_some_tests_support_and_others_contradict_is_mixed(self):
+        for for_it, against, open_, verdict in (
+                (2, 0, 0, "supported"), (0, 1, 1, "not supported"), (1, 1, 0, "mixed"),
+                (1, 0, 1, "supported in part"), (0, 0, 2, "undecided")):
+            tests = ["supported"] * for_it + ["not supported"] * against + ["undecided"] * open_
+            with self.subTest(tests):
+                self.assertEqual(verdicts.of_claim(tests), verdict)
+
+    def test_each_algorithm_that_the_claim_may_be_of_has_its_verdict(self):
+        turned = CLAIMS + CLAIMS[CLAIMS.index("      ours:"):].replace("ours", "theirs").replace(
+            SIDES, "[{variant: GMapping, particles: 30}, {variant: improved, particles: 5}]")
+        found = self.judge(turned).claims
+        self.assertEqual([(claim.number, claim.algorithm) for claim, _, _ in found],
+                         [(1, "ours"), (1, "theirs")])
 
     def test_costs_are_a_family_of_their_own(self):
         text = CLAIMS + """\
-      - study: few_particles
-        compare: [{variant: improved, particles: 5}, {variant: GMapping, particles: 30}]
-        metric: cpu_s
-        expect: better
+        - study: few_particles
+          compare: [{variant: improved, particles: 5}, {variant: GMapping, particles: 30}]
+          metrics: [cpu_s]
+          expect: better
 """
         self.assertEqual(self.verdict(text), "supported")
         self.assertEqual([table.name for table in self.judge(text).tests],
@@ -110,21 +127,21 @@ class VerdictsTest(report_fixture.ResultsTestCase):
     def test_mistakes_are_named_with_file_and_line(self):
         for old, new, complaint in (
                 ("study: few_particles", "study: few_partcles",
-                 "claims.yaml:7: study: no study 'few_partcles' in this folder; did you mean "
+                 "claims.yaml:9: study: no study 'few_partcles' in this folder; did you mean "
                  "'few_particles'?"),
                 ("map_blur_m", "map_blurr_m",
-                 "claims.yaml:9: metric: unknown metric 'map_blurr_m'; did you mean 'map_blur_m'?"),
+                 "claims.yaml:11: metrics: unknown metric 'map_blurr_m'; did you mean 'map_blur_m'?"),
                 ("map_blur_m", "updates",
-                 "claims.yaml:9: metric: of 'updates' neither more nor less is better"),
+                 "claims.yaml:11: metrics: of 'updates' neither more nor less is better"),
                 ("expect: better", "expect: nice",
-                 "claims.yaml:10: expect: expected 'better', 'not worse by 10 %' or 'not worse by "
+                 "claims.yaml:12: expect: expected 'better', 'not worse by 10 %' or 'not worse by "
                  "0.1' (in the metric's unit), found 'nice'"),
                 ("source: Made up.\n", "", "claims.yaml:2: claims: 'source' is missing")):
             with self.subTest(new):
                 self.assertEqual(self.complaint(old, new), complaint)
-        self.assertEqual(self.complaint(CLAIMS[CLAIMS.index("    tests:"):], "    tests: []\n"),
-                         "claims.yaml:6: tests: expected one test or more, found none")
-        self.assertIn("claims.yaml:8: compare: ", self.complaint("particles: 5}", "particles: 7}"))
+        self.assertEqual(self.complaint(CLAIMS[CLAIMS.index("      ours:"):], "      ours: []\n"),
+                         "claims.yaml:8: ours: expected one test or more, found none")
+        self.assertIn("claims.yaml:10: compare: ", self.complaint("particles: 5}", "particles: 7}"))
 
 
 if __name__ == "__main__":

@@ -2,10 +2,10 @@
 import unittest
 
 import report_fixture
-from report import median_run
+from report import shown_run
 
 
-class MedianRunTest(report_fixture.ResultsTestCase):
+class ShownRunTest(report_fixture.ResultsTestCase):
     def setUp(self):
         super().setUp()
         self.cell = self.results.run("improved", 5, 1).cell
@@ -15,7 +15,7 @@ class MedianRunTest(report_fixture.ResultsTestCase):
             self.results.write(self.results.run("improved", 5, seed), blur=blur)
 
     def median(self):
-        return median_run.median_seed(self.measured(), self.cell)
+        return shown_run.seed_of(self.measured(), self.cell, "median")
 
     def test_the_better_of_the_two_in_the_middle(self):
         self.set_blurs(0.6, 0.1, 0.5, 0.2, 0.4, 0.3)
@@ -31,6 +31,12 @@ class MedianRunTest(report_fixture.ResultsTestCase):
     def test_of_equal_runs_the_seed_decides(self):
         self.set_blurs(*[0.2] * 6)
         self.assertEqual(self.median(), 3)
+
+    def test_the_worst_is_the_last_a_failed_one_before_all(self):
+        self.set_blurs(0.6, 0.1, 0.5, 0.2, 0.4, 0.3)
+        self.assertEqual(shown_run.seed_of(self.measured(), self.cell, "worst"), 1)
+        self.results.fail(self.results.run("improved", 5, 4))
+        self.assertEqual(shown_run.seed_of(self.measured(), self.cell, "worst"), 4)
 
     def test_missing_runs_have_no_part(self):
         for seed in (2, 3, 4, 5, 6):
