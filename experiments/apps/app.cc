@@ -9,11 +9,10 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "experiments/apps/flag_files.h"
+#include "experiments/apps/command_line.h"
 
 DECLARE_bool(help);
 DECLARE_bool(helpshort);
@@ -21,6 +20,12 @@ DECLARE_bool(helpfull);
 
 namespace gmapping_spa::apps {
 namespace {
+
+// Never destroyed: other code may ask at the end of the process.
+std::vector<std::string>& Overrides() {
+  static auto& overrides = *new std::vector<std::string>;
+  return overrides;
+}
 
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not take a lock");
@@ -41,12 +46,6 @@ void InstallSignalHandlers() {
   sigaction(SIGXFSZ, &action, nullptr);
 }
 
-std::string ShortNumber(const std::string& number) {
-  std::ostringstream out;
-  out << std::stod(number);
-  return out.str();
-}
-
 // Prints the flags of the program without those of gflags and glog: the ones defined next to this
 // file.
 void PrintHelp(const std::string& program) {
@@ -56,15 +55,14 @@ void PrintHelp(const std::string& program) {
   gflags::GetAllFlags(&flags);
   for (gflags::CommandLineFlagInfo& flag : flags) {
     if (std::filesystem::path(flag.filename).parent_path() == apps_folder) {
-      if (flag.type == "double") {  // gflags would print 0.05 as 0.050000000000000003
-        flag.default_value = ShortNumber(flag.default_value);
-        flag.current_value = ShortNumber(flag.current_value);
-      }
+      flag.default_value = ShortValue(flag.type, flag.default_value);
+      flag.current_value = ShortValue(flag.type, flag.current_value);
       std::cout << gflags::DescribeOneFlag(flag);
     }
   }
   std::cout << "\nFlags can also be read from a file with one --flag=value a line: "
-               "--flagfile=FILE.\n--helpfull prints the flags of the libraries, too.\n";
+               "--flagfile=FILE;\nthe command line wins over files, a later file over an earlier "
+               "one.\n--helpfull prints the flags of the libraries, too.\n";
 }
 
 }  // namespace
@@ -76,7 +74,7 @@ int RunApp(int argc, char** argv, const char* usage, const std::function<void()>
   // Defaults, so that flags still override them.
   gflags::SetCommandLineOptionWithMode("logtostderr", "true", gflags::SET_FLAGS_DEFAULT);
   gflags::SetCommandLineOptionWithMode("minloglevel", "1", gflags::SET_FLAGS_DEFAULT);
-  gflags::ParseCommandLineNonHelpFlags(&argc, &argv, /*remove_flags=*/true);
+  const ParsedFlags parsed = ParseFlags(&argc, &argv);
   // gflags' own --help lists the flags of all libraries and ends with status 1.
   if (FLAGS_help || FLAGS_helpshort) {
     PrintHelp(program);
@@ -95,7 +93,8 @@ int RunApp(int argc, char** argv, const char* usage, const std::function<void()>
       throw std::runtime_error("expected flags only, found '" + std::string(argv[1]) +
                                "' (--help lists the flags)");
     }
-    CheckFlagFiles(gflags::GetArgvs());
+    Overrides() = DescribeOverrides(parsed);
+    for (const std::string& line : Overrides()) std::cerr << program << ": " << line << '\n';
     run();
     // What was printed is complete only when it has reached the device.
     if (!std::cout.flush()) throw std::runtime_error("cannot write to the standard output");
@@ -112,6 +111,8 @@ int RunApp(int argc, char** argv, const char* usage, const std::function<void()>
   google::ShutdownGoogleLogging();
   return status;
 }
+
+const std::vector<std::string>& FlagOverrides() { return Overrides(); }
 
 void ThrowIfInterrupted() {
   if (interrupted) throw Interrupted("interrupted by a signal");

@@ -4,6 +4,8 @@
 
 #include <functional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace gmapping_spa::apps {
 
@@ -13,12 +15,15 @@ struct Interrupted : std::runtime_error {
 };
 
 // Parses the gflags of the command line (with `usage` for --help), starts glog (warnings to stderr,
-// unless flags say otherwise), installs handlers for SIGINT and SIGTERM and calls `run`. Returns
-// the exit status of the process: 0 when `run` returned and what it printed has been written, and
-// after
-// --help; 1 with one line on stderr when it threw, when words are left over on the command line and
-// when a flag or a line of a --flagfile is not known; 130 when it was interrupted.
+// unless flags say otherwise), says on stderr which flags of a --flagfile the command line
+// overrides, installs handlers for SIGINT and SIGTERM and calls `run`. Returns the exit status of
+// the process: 0 when `run` returned and what it printed has been written, and after --help; 1 with
+// one line on stderr when it threw, when words are left over on the command line and when a flag or
+// a line of a --flagfile is not known; 130 when it was interrupted.
 int RunApp(int argc, char** argv, const char* usage, const std::function<void()>& run);
+
+// What RunApp said about flags that the command line overrides, a line each.
+const std::vector<std::string>& FlagOverrides();
 
 // Call it once per item of long work.
 void ThrowIfInterrupted();

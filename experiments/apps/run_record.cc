@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/apps/app.h"
 #include "experiments/apps/closure_table.h"
 
 namespace gmapping_spa::apps {
@@ -58,6 +59,7 @@ Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping
         {"eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) +
                       "." + std::to_string(EIGEN_MINOR_VERSION)}}},
       {"flags", ResultFlags()},
+      {"flag_overrides", FlagOverrides()},
       {"input", input},
       {"counts",
        {{"scans", counts.scans},

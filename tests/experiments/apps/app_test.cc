@@ -71,6 +71,48 @@ TEST(RunApp, TakesFlagsFromAFlagFile) {
               ExitedWithCode(7), "^$");
 }
 
+[[noreturn]] void ExitWithParticles() { std::exit(FLAGS_particles); }
+
+TEST(RunApp, TheCommandLineWinsOverAFlagFileBeforeAndBehindItAndSaysSo) {
+  const TemporaryFolder folder;
+  const std::string path = folder.FileWith("many.flags", "--particles=40\n--noverbose_map\n");
+  const std::string said = "^tool: --particles=5 \\(command line\\) wins over 40 of many.flags\n$";
+  const std::string file = "--flagfile=" + path;
+  EXPECT_EXIT(Main({"--particles=5", file}, ExitWithParticles), ExitedWithCode(5), said);
+  EXPECT_EXIT(Main({"--particles=5", "-flagfile", path}, ExitWithParticles), ExitedWithCode(5),
+              said);
+  EXPECT_EXIT(Main({file, "--particles", "5"}, ExitWithParticles), ExitedWithCode(5), said);
+  EXPECT_EXIT(Main({"--verbose_map", file}, [] { std::exit(FLAGS_verbose_map ? 3 : 4); }),
+              ExitedWithCode(3), "--verbose_map=true [^\n]* wins over false of many.flags");
+  EXPECT_EXIT(
+      Main({"--particles=5", file}, [] { std::exit(static_cast<int>(FlagOverrides().size())); }),
+      ExitedWithCode(1), said);
+}
+
+TEST(RunApp, AFlagThatAgreesWithTheFlagFileOverridesNothing) {
+  const TemporaryFolder folder;
+  const std::string path = folder.FileWith("many.flags", "--particles=40\n--noverbose_map\n");
+  EXPECT_EXIT(
+      Main({"--verbose_map=false", "--particles=40", "--flagfile=" + path}, ExitWithParticles),
+      ExitedWithCode(40), "^$");
+}
+
+TEST(RunApp, TheLaterFlagFileWins) {
+  const TemporaryFolder folder;
+  const std::string few = folder.FileWith("few.flags", "--particles=4\n");
+  const std::string many = folder.FileWith("many.flags", "--particles=40\n");
+  const std::string nested =
+      folder.FileWith("nested.flags", "--flagfile=" + many + "\n--particles=9\n");
+  EXPECT_EXIT(Main({"--flagfile=" + few, "--flagfile=" + many}, ExitWithParticles),
+              ExitedWithCode(40), "^$");
+  EXPECT_EXIT(Main({"--flagfile=" + many, "--flagfile=" + few}, ExitWithParticles),
+              ExitedWithCode(4), "^$");
+  EXPECT_EXIT(Main({"--flagfile=" + nested}, ExitWithParticles), ExitedWithCode(9), "^$");
+  EXPECT_EXIT(
+      Main({"--particles=5", "--flagfile=" + few, "--flagfile=" + nested}, ExitWithParticles),
+      ExitedWithCode(5), "^tool: --particles=5 [^\n]* 9 of nested.flags\n$");
+}
+
 TEST(RunApp, RefusesMistakesInFlagFiles) {
   const TemporaryFolder folder;
   for (const std::string line : {"--particels=7", "particles=7", "--particles", "---particles=7",
