@@ -22,6 +22,7 @@ ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
     ReportFault(wheels, scan.stamp_s);
   }
   ReportBlind(scan);
+  if (options_.source == OdometrySource::kRaw) return AsLogged(scan);
   ScanMotion motion = scan_odometry_.Advance(scan, wheels);
   if (options_.source == OdometrySource::kWheel) {
     if (motion.wheels_rejected || motion.wheels_silent) {
@@ -39,24 +40,37 @@ ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
   return motion;
 }
 
+// Over scans without odometry it is as if the robot had stood still.
+ScanMotion ControlInput::AsLogged(const sensor::LaserScan& scan) {
+  ScanMotion motion;
+  if (!scan.has_odometry) return motion;
+  if (odom_T_previous_) motion.motion = Between(*odom_T_previous_, scan.odom_T_robot);
+  odom_T_previous_ = scan.odom_T_robot;
+  return motion;
+}
+
 void ControlInput::ReportFault(const OdometryCheck::Step& wheels, double stamp_s) {
+  const bool raw = options_.source == OdometrySource::kRaw;
+  const std::string step_is = raw ? "it is used all the same" : "the step is left out";
   switch (wheels.fault) {
     case OdometryFault::kImpossible:
       health_->Report("odometry_impossible", stamp_s,
-                      "the odometry makes a step that no robot makes; it is left out");
+                      "the odometry makes a step that no robot makes; " + step_is);
       break;
     case OdometryFault::kRestart:
-      health_->Report("odometry_restart", stamp_s,
-                      "the odometry jumps back to where it began, as encoders that restart do; the "
-                      "step is left out");
+      health_->Report(
+          "odometry_restart", stamp_s,
+          "the odometry jumps back to where it began, as encoders that restart do; " + step_is);
       break;
     case OdometryFault::kRepeatedScan:
       health_->Report("repeated_scan", stamp_s,
-                      "a scan repeats the one before bit for bit while the wheels move; it is not "
-                      "matched");
+                      "a scan repeats the one before bit for bit while the wheels move; " +
+                          std::string(raw ? "it is used all the same" : "it is not matched"));
       break;
     case OdometryFault::kMissing:
-      health_->Report("odometry_missing", stamp_s, "no odometry; scans alone tell the motion");
+      health_->Report("odometry_missing", stamp_s,
+                      raw ? "no odometry; its motion comes with the next one"
+                          : "no odometry; scans alone tell the motion");
       break;
     case OdometryFault::kNone:
     case OdometryFault::kFirst:

@@ -3,6 +3,7 @@
 #define GMAPPING_SPA_FRONTEND_CONTROL_INPUT_H_
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "frontend/health.h"
@@ -13,7 +14,8 @@
 namespace gmapping_spa::frontend {
 
 enum class OdometrySource : std::uint8_t {
-  kWheel,        // the log's odometry as it is; scan matching only says how far to trust it
+  kRaw,          // the log's odometry as it is, right or wrong; scans are not looked at
+  kWheel,        // the log's odometry, checked; scan matching says how far to trust it
   kScanMatched,  // every scan matched with the last ones, the wheels a part of the prior
   kLidarOnly     // scans alone: the log's odometry is not looked at
 };
@@ -34,6 +36,7 @@ class ControlInput {
   ScanMotion Advance(const sensor::LaserScan& scan);
 
  private:
+  ScanMotion AsLogged(const sensor::LaserScan& scan);
   void ReportFault(const sensor::OdometryCheck::Step& wheels, double stamp_s);
   void ReportBlind(const sensor::LaserScan& scan);
   void ReportUnmatched(const ScanMotion& motion, const sensor::OdometryCheck::Step& wheels,
@@ -45,8 +48,9 @@ class ControlInput {
   Health* health_;
   sensor::OdometryCheck check_;
   ScanOdometry scan_odometry_;
-  bool has_seen_ = false;               // any obstacle so far
-  std::vector<double> blind_stamps_s_;  // of scans without a hit that are not reported yet
+  std::optional<backend::SE2> odom_T_previous_;  // of kRaw: what the log last said
+  bool has_seen_ = false;                        // any obstacle so far
+  std::vector<double> blind_stamps_s_;           // of scans without a hit that are not reported yet
 };
 
 }  // namespace gmapping_spa::frontend

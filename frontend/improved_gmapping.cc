@@ -36,6 +36,7 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
   counts_.searched += motion.searched ? 1 : 0;
   const SE2 odom_T_before = odom_T_scan_;
   odom_T_scan_ = odom_T_scan_ * u;
+  increments_since_update_.push_back(u);
   noise_since_update_ = std::max(noise_since_update_, motion.noise);
   area_.Extend(scan, odom_T_scan_);
   archive_.Add(scan);
@@ -62,7 +63,11 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
     std::vector<ParticleFilter::Control> controls = motion.alternatives;
     // Not from the last update where the scan before it was lost.
     const SE2 up_to_here = Between(odom_T_last_update_, odom_T_before);
-    for (ParticleFilter::Control& control : controls) control.motion = up_to_here * control.motion;
+    for (ParticleFilter::Control& control : controls) {
+      control.increments = increments_since_update_;
+      control.increments.back() = control.motion;
+      control.motion = up_to_here * control.motion;
+    }
     UpdateFilter(scan, controls);
   } else {
     UpdateFilter(scan, {ControlSinceUpdate()});
@@ -90,6 +95,7 @@ void ImprovedGmapping::BeginPiece(int scans) {
   ++updates_since_optimization_;
   odom_T_last_update_ = odom_T_first;
   const SE2 since = Between(odom_T_first, odom_T_scan_);
+  increments_since_update_ = {since};
   linear_since_update_m_ = since.translation().norm();
   angular_since_update_rad_ = std::abs(since.theta);
 }
@@ -102,7 +108,9 @@ bool ImprovedGmapping::UpdateIsDue(const SE2& u, double density) {
 }
 
 ParticleFilter::Control ImprovedGmapping::ControlSinceUpdate() const {
-  return {.motion = Between(odom_T_last_update_, odom_T_scan_), .noise = noise_since_update_};
+  return {.motion = Between(odom_T_last_update_, odom_T_scan_),
+          .noise = noise_since_update_,
+          .increments = increments_since_update_};
 }
 
 void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan,
@@ -121,6 +129,7 @@ void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan,
   ++counts_.updates;
   ++updates_since_optimization_;
   odom_T_last_update_ = odom_T_scan_;
+  increments_since_update_.clear();
   noise_since_update_ = 0.0;
   linear_since_update_m_ = 0.0;
   angular_since_update_rad_ = 0.0;

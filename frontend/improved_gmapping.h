@@ -118,7 +118,8 @@ class ImprovedGmapping {
 
   backend::SE2 odom_T_scan_;  // the control inputs so far
   backend::SE2 odom_T_last_update_;
-  double noise_since_update_ = 0.0;  // the largest of the control inputs
+  std::vector<backend::SE2> increments_since_update_;  // of odom_T_scan_
+  double noise_since_update_ = 0.0;                    // the largest of the control inputs
   double linear_since_update_m_ = 0.0;
   double angular_since_update_rad_ = 0.0;
   int updates_since_optimization_ = 0;

@@ -89,7 +89,8 @@ void AddGraphOptions(ImprovedGmapping::Options* options) {
       OneOf<EdgeModel::Measurement>("edge_measurement", FLAGS_edge_measurement,
                                     {{"scan_odometry", EdgeModel::Measurement::kControl},
                                      {"particle", EdgeModel::Measurement::kParticle}});
-  if (options->control.source == frontend::OdometrySource::kWheel) {
+  if (options->control.source == frontend::OdometrySource::kRaw ||
+      options->control.source == frontend::OdometrySource::kWheel) {
     edges.measurement = EdgeModel::Measurement::kParticle;
   }
   edges.information =

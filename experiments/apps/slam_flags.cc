@@ -33,19 +33,28 @@ DEFINE_double(resample_threshold, kSlam.filter.resample_threshold,
               "Resample when N_eff is below this part of the number of particles.");
 DEFINE_string(
     odometry, "scan_matched",
-    "Control input of the filter: wheel (the log's odometry; scans tell how far to trust it), "
-    "scan_matched (every scan is matched "
-    "with the last ones, the wheels are a part of the prior) or lidar_only (scans alone; the log's "
-    "odometry is not used).");
+    "Control input of the filter: raw (the log's odometry, right or wrong, as GMapping takes it), "
+    "wheel (the log's odometry without impossible steps; scans tell how far to trust it), "
+    "scan_matched (every scan is matched with the last ones, the wheels are a part of the prior) "
+    "or lidar_only (scans alone; the log's odometry is not used).");
 DEFINE_double(max_speed_m_s, kSlam.control.check.max_speed_m_s,
               "Highest speed of the robot, m/s. A faster step of the odometry is left out.");
 DEFINE_double(max_turn_rad_s, kSlam.control.check.max_turn_rad_s,
               "Highest turn rate of the robot, rad/s. A faster step of the odometry is left out.");
 DEFINE_string(scan_matcher, "gauss_newton",
               "Scan matcher of the particles: hill_climbing or gauss_newton.");
-DEFINE_int32(initial_guesses, kSlam.filter.initial_guesses,
+DEFINE_string(match_start, "prediction",
+              "Where the scan matching of a particle starts: prediction (that of the odometry, or "
+              "the best of --initial_guesses) or draw (one draw from the motion model, which is "
+              "also the particle's pose if the match fails, as in GMapping).");
+DEFINE_int32(initial_guesses, kSlam.filter.match_start.guesses,
              "Draws from the motion model among which scan matching chooses its start, besides the "
-             "odometry's prediction.");
+             "odometry's prediction; without effect on --match_start=draw.");
+DEFINE_string(proposal, "gaussian",
+              "Pose of a particle after a scan match: gaussian (drawn from the improved proposal, "
+              "the Gaussian of scan and odometry around the match, and weighted by its integral) "
+              "or match (the match itself, weighted by its likelihood, as GMapping's program "
+              "does).");
 DEFINE_double(obs_sigma_gain, kSlam.filter.obs_sigma_gain,
               "Weights are flattened by the exponent 1 / (this * particles).");
 
@@ -66,20 +75,32 @@ DEFINE_double(match_noise_m, kGaussNewton.noise_sigma_m,
 DEFINE_double(match_robust_sigmas, kGaussNewton.robust_sigmas,
               "Width of the Cauchy weight of a beam in Gauss-Newton matching.");
 DEFINE_double(match_min_score, kHillClimbing.min_score,
-              "A scan match with a mean score a beam (0 to 1) below this has failed.");
+              "A particle's scan match with a mean score a beam (0 to 1) below this has failed.");
 DEFINE_double(score_sigma_m, kEndpoint.score_sigma_m,
-              "Width of the kernel by which hill climbing scores a beam.");
+              "Hill climbing scores a beam by a Gaussian of its distance to the nearest hit; its "
+              "standard deviation, m.");
+DEFINE_bool(free_cell_in_front, kEndpoint.free_cell_in_front,
+            "For the score of hill climbing and --likelihood=nearest_hit, a hit of the map "
+            "explains a beam only where the cell before it, toward the laser, is not an obstacle "
+            "as well. GMapping's program has this rule without effect.");
+DEFINE_string(likelihood, "surface",
+              "Distance of a beam's end point in the likelihood, for weights and proposals: "
+              "surface (to the surface that hits nearby form) or nearest_hit (to the nearest hit "
+              "within a cell, as in GMapping).");
 DEFINE_double(likelihood_sigma_m, kEndpoint.likelihood_sigma_m,
               "Standard deviation of a beam's end point in the likelihood.");
 DEFINE_double(likelihood_gain, kEndpoint.likelihood_gain,
               "Exponent of the likelihood of a scan: less than 1 as beams are not independent.");
-DEFINE_bool(
-    unseen_is_miss, kEndpoint.unseen_is_miss,
-    "For the weights of particles, a beam that ends where no beam has been yet counts as one "
-    "that does not fit the map, as in GMapping; else as one that says nothing.");
+DEFINE_bool(unseen_is_miss, kEndpoint.unseen_is_miss,
+            "For weights and proposals, a beam that ends where no beam has been yet counts as one "
+            "that does not fit the map, as in GMapping; else as one that says nothing.");
 DEFINE_double(unmatched_sigmas, kEndpoint.unmatched_sigmas,
               "A beam that the map does not explain counts as this far off.");
 
+DEFINE_string(motion_noise, "update",
+              "Motion model: noise is added to the motion between two updates as a whole (update) "
+              "or to the odometry's increment of each scan, so that a particle walks along at "
+              "random (scan, as in GMapping). The standard deviations below are of that motion.");
 DEFINE_double(motion_linear_per_linear, kMotion.linear_per_linear,
               "Motion model: standard deviation of the position along the motion, m per m driven "
               "(GMapping's srr).");
@@ -103,6 +124,10 @@ DEFINE_double(motion_angular_floor_rad, kMotion.angular_floor_rad,
 namespace gmapping_spa::apps {
 namespace {
 
+using particle_filter::MatchStart;
+using particle_filter::PoseSampling;
+using Likelihood = scan_matching::EndpointModel::Likelihood;
+
 // Limits are wide, but such that no value can overflow a cell index or ask for endless work.
 double Positive(const char* name, double value) { return InRange(name, value, 1e-6, 1e6); }
 
@@ -110,8 +135,7 @@ double NotNegative(const char* name, double value) { return InRange(name, value,
 
 scan_matching::GaussNewton::Options GaussNewtonOptionsFromFlags() {
   return {.noise_sigma_m = InRange("match_noise_m", FLAGS_match_noise_m, 1e-3, 100.0),
-          .robust_sigmas = Positive("match_robust_sigmas", FLAGS_match_robust_sigmas),
-          .min_score = NotNegative("match_min_score", FLAGS_match_min_score)};
+          .robust_sigmas = Positive("match_robust_sigmas", FLAGS_match_robust_sigmas)};
 }
 
 scan_matching::HillClimbing::Options HillClimbingOptionsFromFlags() {
@@ -129,7 +153,8 @@ frontend::ImprovedGmapping::Options SlamOptionsFromFlags() {
   options.angular_update_rad = NotNegative("angular_update_rad", FLAGS_angular_update_rad);
   options.control.source =
       OneOf<frontend::OdometrySource>("odometry", FLAGS_odometry,
-                                      {{"wheel", frontend::OdometrySource::kWheel},
+                                      {{"raw", frontend::OdometrySource::kRaw},
+                                       {"wheel", frontend::OdometrySource::kWheel},
                                        {"scan_matched", frontend::OdometrySource::kScanMatched},
                                        {"lidar_only", frontend::OdometrySource::kLidarOnly}});
   sensor::OdometryCheck::Options& check = options.control.check;
@@ -140,7 +165,14 @@ frontend::ImprovedGmapping::Options SlamOptionsFromFlags() {
   filter.threads = InRange("threads", FLAGS_threads, 1, 1024);
   filter.seed = FLAGS_seed;
   filter.resample_threshold = NotNegative("resample_threshold", FLAGS_resample_threshold);
-  filter.initial_guesses = InRange("initial_guesses", FLAGS_initial_guesses, 0, 100000);
+  filter.match_start = {
+      .kind = OneOf<MatchStart::Kind>(
+          "match_start", FLAGS_match_start,
+          {{"prediction", MatchStart::Kind::kPrediction}, {"draw", MatchStart::Kind::kDraw}}),
+      .guesses = InRange("initial_guesses", FLAGS_initial_guesses, 0, 100000)};
+  filter.proposal = OneOf<PoseSampling::Kind>(
+      "proposal", FLAGS_proposal,
+      {{"gaussian", PoseSampling::Kind::kGaussian}, {"match", PoseSampling::Kind::kMatch}});
   filter.obs_sigma_gain = Positive("obs_sigma_gain", FLAGS_obs_sigma_gain);
   filter.grid.resolution_m = InRange("resolution_m", FLAGS_resolution_m, 0.005, 10.0);
   filter.grid.full_threshold = NotNegative("full_threshold", FLAGS_full_threshold);
@@ -157,13 +189,15 @@ frontend::ImprovedGmapping::Options SlamOptionsFromFlags() {
       .angular_per_angular =
           NotNegative("motion_angular_per_angular", FLAGS_motion_angular_per_angular),
       .linear_floor_m = Positive("motion_linear_floor_m", FLAGS_motion_linear_floor_m),
-      .angular_floor_rad = Positive("motion_angular_floor_rad", FLAGS_motion_angular_floor_rad)};
+      .angular_floor_rad = Positive("motion_angular_floor_rad", FLAGS_motion_angular_floor_rad),
+      .noise_at_each_scan =
+          OneOf<bool>("motion_noise", FLAGS_motion_noise, {{"update", false}, {"scan", true}})};
   options.control.scan_odometry.prior.max_speed_m_s = check.max_speed_m_s;
   options.control.scan_odometry.prior.max_turn_rad_s = check.max_turn_rad_s;
-  // All that align scans do it alike.
-  options.control.scan_odometry.grid = filter.grid;
-  options.control.scan_odometry.endpoint = filter.endpoint;
-  options.loop_closer.verifier.grid = filter.grid;
+  // All that align scans do it alike; what counts as an obstacle or fits in the maps of particles,
+  // concerns these alone.
+  options.control.scan_odometry.grid.resolution_m = filter.grid.resolution_m;
+  options.loop_closer.verifier.grid.resolution_m = filter.grid.resolution_m;
   for (scan_matching::GaussNewton::Options* aligns :
        {&options.control.scan_odometry.gauss_newton, &options.loop_closer.verifier.gauss_newton,
         &options.final_round.gauss_newton, &filter.edges.gauss_newton}) {
@@ -177,8 +211,9 @@ std::shared_ptr<const scan_matching::ScanMatcher> ScanMatcherFromFlags() {
   const bool gauss_newton = OneOf<bool>("scan_matcher", FLAGS_scan_matcher,
                                         {{"hill_climbing", false}, {"gauss_newton", true}});
   if (gauss_newton) {
-    return std::make_shared<scan_matching::GaussNewton>(GaussNewtonOptionsFromFlags(),
-                                                        EndpointOptionsFromFlags());
+    scan_matching::GaussNewton::Options options = GaussNewtonOptionsFromFlags();
+    options.min_score = NotNegative("match_min_score", FLAGS_match_min_score);
+    return std::make_shared<scan_matching::GaussNewton>(options, EndpointOptionsFromFlags());
   }
   return std::make_shared<scan_matching::HillClimbing>(HillClimbingOptionsFromFlags(),
                                                        EndpointOptionsFromFlags());
@@ -190,7 +225,11 @@ scan_matching::EndpointModel::Options EndpointOptionsFromFlags() {
       .likelihood_sigma_m = InRange("likelihood_sigma_m", FLAGS_likelihood_sigma_m, 1e-3, 100.0),
       .unmatched_sigmas = InRange("unmatched_sigmas", FLAGS_unmatched_sigmas, 1e-3, 100.0),
       .likelihood_gain = InRange("likelihood_gain", FLAGS_likelihood_gain, 1e-6, 1e6),
-      .unseen_is_miss = FLAGS_unseen_is_miss};
+      .unseen_is_miss = FLAGS_unseen_is_miss,
+      .likelihood = OneOf<Likelihood>(
+          "likelihood", FLAGS_likelihood,
+          {{"surface", Likelihood::kSurface}, {"nearest_hit", Likelihood::kNearestHit}}),
+      .free_cell_in_front = FLAGS_free_cell_in_front};
 }
 
 double OccupiedThresholdFromFlags() {

@@ -66,14 +66,15 @@ class CellBlock {
   // 0 or 1 and not both 0, is not full.
   template <typename Visit>
   void ForEachFullNeighbour(CellIndex index, int dx, int dy, const Visit& visit) const {
-    const int column = index.x - corner_.x, row = index.y - corner_.y;
     const int toward = kSize * dy + dx;
     const std::uint64_t blocked = toward > 0 ? full_ >> toward : full_ << -toward;
-    std::uint64_t rest = full_ & ~blocked & kThreeByThree << (kSize * (row - 1) + column - 1);
-    for (; rest != 0; rest &= rest - 1) {
-      const int bit = std::countr_zero(rest);
-      visit(x_[bit] - static_cast<float>(column), y_[bit] - static_cast<float>(row));
-    }
+    VisitNeighbours(full_ & ~blocked, index, visit);
+  }
+
+  // The same for every full cell, whatever is beside it.
+  template <typename Visit>
+  void ForEachFullNeighbour(CellIndex index, const Visit& visit) const {
+    VisitNeighbours(full_, index, visit);
   }
 
   // Calls visit(xs, ys) for each of the three rows of the 3 x 3 neighbourhood of the cell `index`:
@@ -98,6 +99,16 @@ class CellBlock {
   static constexpr int kOften = 8;  // hits
   static constexpr std::uint64_t kThreeByThree = 0x070707;
   static constexpr float kFarAway = 1e6f;
+
+  template <typename Visit>
+  void VisitNeighbours(std::uint64_t cells, CellIndex index, const Visit& visit) const {
+    const int column = index.x - corner_.x, row = index.y - corner_.y;
+    std::uint64_t rest = cells & kThreeByThree << (kSize * (row - 1) + column - 1);
+    for (; rest != 0; rest &= rest - 1) {
+      const int bit = std::countr_zero(rest);
+      visit(x_[bit] - static_cast<float>(column), y_[bit] - static_cast<float>(row));
+    }
+  }
 
   CellIndex corner_{-2 * kMaxCellIndex, -2 * kMaxCellIndex};  // covers nothing
   std::uint64_t full_ = 0;                                    // bit kSize * row + column

@@ -38,4 +38,30 @@ Eigen::Matrix3d MotionModel::Covariance(const SE2& world_T_previous, const SE2& 
          rotation.transpose();
 }
 
+SE2 MotionModel::Sample(const SE2& world_T_previous, const Control& control,
+                        backend::CounterRandom* random) const {
+  if (!IsWalk(control)) return Sample(world_T_previous, control.motion, control.noise, random);
+  SE2 world_T_robot = world_T_previous;
+  for (const SE2& u : control.increments) {
+    world_T_robot = Sample(world_T_robot, u, control.noise, random);
+  }
+  return world_T_robot;
+}
+
+Eigen::Matrix3d MotionModel::Covariance(const SE2& world_T_previous, const Control& control) const {
+  if (!IsWalk(control)) return Covariance(world_T_previous, control.motion, control.noise);
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  SE2 world_T_robot = world_T_previous;
+  for (const SE2& u : control.increments) {
+    const SE2 next = world_T_robot * u;
+    Eigen::Matrix3d carry = Eigen::Matrix3d::Identity();  // derivative of next by world_T_robot
+    carry(0, 2) = -(next.y - world_T_robot.y);
+    carry(1, 2) = next.x - world_T_robot.x;
+    covariance =
+        carry * covariance * carry.transpose() + Covariance(world_T_robot, u, control.noise);
+    world_T_robot = next;
+  }
+  return covariance;
+}
+
 }  // namespace gmapping_spa::particle_filter

@@ -6,13 +6,15 @@
 
 #include "backend/counter_random.h"
 #include "backend/se2.h"
+#include "frontend/particle_filter/control.h"
 
 namespace gmapping_spa::particle_filter {
 
 // Gaussian noise on the increments of the odometry, in the frame of the pose before the motion. Its
-// standard deviations grow with the motion, as in GMapping. GMapping's own are three to seven times
-// these (experiments/flags/gmapping.flags): where a scan binds the robot they do not matter, and
-// where it does not, along corridors and in halls, the way driven is lost by them.
+// standard deviations grow with the motion, as in GMapping. GMapping's own are two to seven times
+// these (experiments/flags/gmapping.flags), and it draws at each scan, so that they partly cancel:
+// where a scan binds the robot they do not matter, and where it does not, along corridors and in
+// halls, the way driven is lost by them.
 class MotionModel {
  public:
   struct Options {
@@ -23,6 +25,9 @@ class MotionModel {
     double angular_per_angular = 0.05;  // rad per rad turned ("stt")
     double linear_floor_m = 0.01;       // of a robot that stands still: sensors and clocks jitter
     double angular_floor_rad = 0.005;
+    // Whether noise is added to the increment of each scan, so that the robot walks along at
+    // random, as in GMapping; else once to the motion of the whole step.
+    bool noise_at_each_scan = false;
   };
 
   explicit MotionModel(const Options& options);
@@ -39,7 +44,17 @@ class MotionModel {
   Eigen::Matrix3d Covariance(const backend::SE2& world_T_previous, const backend::SE2& u,
                              double noise) const;
 
+  // The same of the motion of a step of the filter, with noise as Options::noise_at_each_scan says.
+  // The covariance of many increments is that of the linearized walk.
+  backend::SE2 Sample(const backend::SE2& world_T_previous, const Control& control,
+                      backend::CounterRandom* random) const;
+  Eigen::Matrix3d Covariance(const backend::SE2& world_T_previous, const Control& control) const;
+
  private:
+  bool IsWalk(const Control& control) const {
+    return options_.noise_at_each_scan && !control.increments.empty();
+  }
+
   Options options_;
 };
 

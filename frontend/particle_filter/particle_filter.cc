@@ -47,6 +47,9 @@ ParticleFilter::ParticleFilter(const Options& options,
     : options_(options),
       matcher_(std::move(matcher)),
       motion_model_(options.motion),
+      match_start_(MakeMatchStart(options.match_start, motion_model_)),
+      pose_sampling_(MakePoseSampling(
+          options.proposal, options.edges.information == EdgeModel::Information::kProposal)),
       edge_model_(options.edges),
       map_history_(options.map_history, options.grid, options.registration) {
   CHECK_GE(options.particles, 1);
@@ -115,45 +118,28 @@ void ParticleFilter::Move(const scan_matching::ScanPoints& points, const Control
   CounterRandom random(options_.seed, kMoveStream, step_, index);
   Particle& particle = particles_[index];
   const SE2 previous = particle.world_T_robot;
-  const PoseGaussian prior{previous * control.motion,
-                           motion_model_.Covariance(previous, control.motion, control.noise)};
+  const PoseGaussian prior{previous * control.motion, motion_model_.Covariance(previous, control)};
   scan_matching::EndpointModel model(options_.endpoint, &particle.map, &points);
-  const scan_matching::MatchResult match = matcher_->Match(  // eq. (8)
-      particle.map, points, InitialGuess(particle, control, &model, &random),
-      prior.covariance.inverse());
-  double log_factor = 0.0;  // of the weight, eqs. (7) and (15)
-  EdgeModel::Step step{previous, {}, control.motion, prior.covariance, match.success};
+  const SE2 start = match_start_->Choose(previous, control, &model, &random);
+  const scan_matching::MatchResult match =
+      matcher_->Match(particle.map, points, start, prior.covariance.inverse());  // eq. (8)
+  // The log of the factor of the weight, eqs. (7) and (15), comes with the pose.
+  SampledPose sampled;
   if (match.success) {
-    const Proposal proposal = ComputeProposal(&model, match.world_T_robot, prior);
-    particle.world_T_robot = Draw(proposal.gaussian, &random);  // eq. (13)
-    step.world_covariance = proposal.gaussian.covariance;
-    log_factor = proposal.log_eta;
+    sampled =
+        pose_sampling_->Sample(match.world_T_robot, prior, &model, &random);  // eqs. (11) to (13)
   } else {
-    particle.world_T_robot = motion_model_.Sample(previous, control.motion, control.noise, &random);
-    log_factor = model.LogLikelihood(particle.world_T_robot);  // eq. (10)
+    sampled.world_T_robot =
+        match_start_->DrawInstead(start, previous, control, &random);  // eq. (9)
+    sampled.log_factor = model.LogLikelihood(sampled.world_T_robot);   // eq. (10)
+    sampled.world_covariance = prior.covariance;
   }
-  step.world_T_robot = particle.world_T_robot;
-  particle.motion = edge_model_.Describe(step, particle.map, points);
-  particle.log_weight += log_factor;
-  particle.log_likelihood += log_factor;
-}
-
-// Where the scan fits best among the odometry's prediction and some draws from the motion model:
-// wheels slip by more than a hill climb can make good.
-SE2 ParticleFilter::InitialGuess(const Particle& particle, const Control& control,
-                                 scan_matching::EndpointModel* model, CounterRandom* random) const {
-  SE2 best = particle.world_T_robot * control.motion;
-  double best_score = model->Score(best);
-  for (int k = 0; k < options_.initial_guesses; ++k) {
-    const SE2 guess =
-        motion_model_.Sample(particle.world_T_robot, control.motion, control.noise, random);
-    const double score = model->Score(guess, best_score);
-    if (score > best_score) {
-      best = guess;
-      best_score = score;
-    }
-  }
-  return best;
+  particle.world_T_robot = sampled.world_T_robot;
+  particle.motion = edge_model_.Describe(
+      {previous, sampled.world_T_robot, control.motion, sampled.world_covariance, match.success},
+      particle.map, points);
+  particle.log_weight += sampled.log_factor;
+  particle.log_likelihood += sampled.log_factor;
 }
 
 // Eq. (17): resamples when N_eff is small. Ancestor of each particle of the next generation.

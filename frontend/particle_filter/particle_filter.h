@@ -9,11 +9,14 @@
 #include "backend/se2.h"
 #include "frontend/map/occupancy_grid.h"
 #include "frontend/map/scan_registration.h"
+#include "frontend/particle_filter/control.h"
 #include "frontend/particle_filter/edge_model.h"
 #include "frontend/particle_filter/map_history.h"
+#include "frontend/particle_filter/match_start.h"
 #include "frontend/particle_filter/motion_model.h"
 #include "frontend/particle_filter/particle.h"
 #include "frontend/particle_filter/path_correction.h"
+#include "frontend/particle_filter/pose_sampling.h"
 #include "frontend/particle_filter/trajectory_tree.h"
 #include "frontend/scan_matching/endpoint_model.h"
 #include "frontend/scan_matching/scan_matcher.h"
@@ -31,9 +34,8 @@ class ParticleFilter {
     std::uint64_t seed = 1;
     // Resampling when N_eff falls below this part of the number of particles.
     double resample_threshold = 0.5;
-    // Scan matching starts at the best of the odometry's prediction and this many draws from the
-    // motion model.
-    int initial_guesses = 0;
+    MatchStart::Options match_start;
+    PoseSampling::Kind proposal = PoseSampling::Kind::kGaussian;
     // Weights are p(z)^(1 / (gain * particles)), as in GMapping.
     double obs_sigma_gain = 1.0;
     EdgeModel::Options edges;
@@ -44,12 +46,7 @@ class ParticleFilter {
     scan_matching::EndpointModel::Options endpoint;
   };
 
-  // A motion since the step before, as the control input tells it.
-  struct Control {
-    backend::SE2 motion;
-    double probability = 1.0;
-    double noise = 1.0;  // factor on the motion model's standard deviations
-  };
+  using Control = particle_filter::Control;
 
   struct Update {
     double effective_sample_size = 0.0;
@@ -99,9 +96,6 @@ class ParticleFilter {
 
  private:
   void Move(const scan_matching::ScanPoints& points, const Control& control, int index);
-  backend::SE2 InitialGuess(const Particle& particle, const Control& control,
-                            scan_matching::EndpointModel* model,
-                            backend::CounterRandom* random) const;
   std::vector<int> ChooseAncestors(Update* update);
   void Register(const sensor::LaserScan& scan, const std::vector<int>& ancestors);
   void Duplicate(const std::vector<int>& ancestors);
@@ -109,6 +103,8 @@ class ParticleFilter {
   Options options_;
   std::shared_ptr<const scan_matching::ScanMatcher> matcher_;
   MotionModel motion_model_;
+  std::shared_ptr<const MatchStart> match_start_;
+  std::shared_ptr<const PoseSampling> pose_sampling_;
   EdgeModel edge_model_;
   std::vector<Particle> particles_;
   TrajectoryTree tree_;

@@ -25,6 +25,8 @@ constexpr float kExpectedSquaredDistance = 1.0f;
 // neighbours see the same wall.
 constexpr std::size_t kEnoughBeams = 90;
 
+constexpr float kNothing = std::numeric_limits<float>::infinity();
+
 // A component of a unit vector, rounded to the eight directions of a grid.
 int Rounded(double component) { return (component > 0.5) - (component < -0.5); }
 
@@ -43,6 +45,8 @@ EndpointModel::EndpointModel(const Options& options, const map::OccupancyGrid* g
   likelihood_scale_ = -0.5 * options.likelihood_gain;
   max_squared_distance_ = static_cast<float>(std::pow(options.unmatched_sigmas, 2));
   unseen_is_miss_ = options.unseen_is_miss;
+  likelihood_ = options.likelihood;
+  free_cell_in_front_ = options.free_cell_in_front;
 }
 
 double EndpointModel::Score(const backend::SE2& world_T_robot, double at_least) {
@@ -75,16 +79,35 @@ Evidence EndpointModel::Evaluate(const backend::SE2& world_T_robot) {
   return evidence;
 }
 
-double EndpointModel::Explained(const EndPoint& end) const {
+float EndpointModel::SquaredDistanceToHit(const EndPoint& end) const {
   const auto x = static_cast<float>(end.x - end.cell.x);
   const auto y = static_cast<float>(end.y - end.cell.y);
-  float nearest = std::numeric_limits<float>::infinity();  // d^2 in cells
-  end.block->ForEachFullNeighbour(end.cell, end.back_dx, end.back_dy,
-                                  [&](float mean_x, float mean_y) {
-                                    const float dx = x - mean_x, dy = y - mean_y;
-                                    nearest = std::min(nearest, dx * dx + dy * dy);
-                                  });
+  float nearest = kNothing;
+  const auto compare = [&](float mean_x, float mean_y) {
+    const float dx = x - mean_x, dy = y - mean_y;
+    nearest = std::min(nearest, dx * dx + dy * dy);
+  };
+  if (free_cell_in_front_) {
+    end.block->ForEachFullNeighbour(end.cell, end.back_dx, end.back_dy, compare);
+  } else {
+    end.block->ForEachFullNeighbour(end.cell, compare);
+  }
+  return nearest;
+}
+
+double EndpointModel::Explained(const EndPoint& end) const {
+  const float nearest = SquaredDistanceToHit(end);
   return std::isfinite(nearest) ? std::exp(static_cast<float>(score_scale_) * nearest) : 0.0;
+}
+
+float EndpointModel::SquaredMahalanobis(const EndPoint& end) const {
+  if (likelihood_ == Likelihood::kNearestHit) {
+    return SquaredDistanceToHit(end) / (noise_cells_ * noise_cells_);
+  }
+  LocalSurface surface;
+  if (!surface.Fit(*end.block, end.cell, end.x, end.y)) return kNothing;
+  const Eigen::Vector2f weighted = surface.Information(noise_cells_) * surface.offset;
+  return surface.offset.dot(weighted);
 }
 
 bool EndpointModel::IsUnknown(const EndPoint& end) const {
@@ -104,15 +127,9 @@ double EndpointModel::LogLikelihood(const backend::SE2& world_T_robot) {
   double sum = 0.0;
   std::size_t beams = 0;
   ForEachBeam(world_T_robot, stride, [&](std::size_t, const EndPoint& end) {
-    LocalSurface surface;
-    float squared = max_squared_distance_;
-    if (surface.Fit(*end.block, end.cell, end.x, end.y)) {
-      const Eigen::Vector2f weighted = surface.Information(noise_cells_) * surface.offset;
-      squared = std::min(squared, surface.offset.dot(weighted));
-    } else if (!unseen_is_miss_ && IsUnknown(end)) {
-      squared = kExpectedSquaredDistance;
-    }
-    sum += squared;
+    const float squared = SquaredMahalanobis(end);
+    const bool says_nothing = squared == kNothing && !unseen_is_miss_ && IsUnknown(end);
+    sum += says_nothing ? kExpectedSquaredDistance : std::min(max_squared_distance_, squared);
     ++beams;
     return true;
   });

@@ -3,6 +3,7 @@
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_ENDPOINT_MODEL_H_
 
 #include <cstddef>
+#include <cstdint>
 
 #include "backend/se2.h"
 #include "frontend/map/beam_blocks.h"
@@ -40,9 +41,15 @@ struct Evidence {
 // The likelihood, for weights and proposals, measures the distance to the surface that the hit
 // means form (LocalSurface). It must not say more than the walls do: the nearest hit mean would
 // hold a scan along a corridor by the spacing of cells, and so would the rule about the neighbour,
-// which beams that graze a wall break at every other cell.
+// which beams that graze a wall break at every other cell. GMapping takes the nearest hit mean all
+// the same, that of the score.
 class EndpointModel {
  public:
+  enum class Likelihood : std::uint8_t {
+    kSurface,    // distance to the LocalSurface
+    kNearestHit  // distance to the hit mean that explains the beam in the score, as in GMapping
+  };
+
   struct Options {
     double score_sigma_m = 0.05;       // of the score's kernel
     double likelihood_sigma_m = 0.03;  // of a beam's end point, map errors included
@@ -53,6 +60,10 @@ class EndpointModel {
     // Whether a beam that ends in unseen space is one that does not fit, for the likelihood, as in
     // GMapping.
     bool unseen_is_miss = false;
+    Likelihood likelihood = Likelihood::kSurface;
+    // Whether a hit explains a beam only where the cell before it, toward the laser, is not full.
+    // GMapping's authors meant it so; in the program that they published the rule has no effect.
+    bool free_cell_in_front = true;
   };
 
   // `grid` and `points` must outlive this and stay as they are.
@@ -69,7 +80,7 @@ class EndpointModel {
   Evidence Evaluate(const backend::SE2& world_T_robot);
 
   // log p(z | m, x) up to a constant, in nats: the gain times the sum over the beams of -d^2 / 2,
-  // where d is the Mahalanobis distance to the LocalSurface at the end point with noise of
+  // where d is the Mahalanobis distance to what Options::likelihood says with noise of
   // likelihood_sigma_m, limited to unmatched_sigmas. A beam that ends in unseen space counts as one
   // that fits as well as can be expected: it is no evidence against the pose. Of dense scans the
   // sum is estimated from beams that are spread evenly.
@@ -89,8 +100,12 @@ class EndpointModel {
   template <typename Visit>
   void ForEachBeam(const backend::SE2& world_T_robot, std::size_t stride, const Visit& visit);
 
-  // exp(-d^2 / 2 score_sigma^2) of the nearest surface; 0: none in reach.
+  // d^2 in cells to the nearest hit mean that explains the beam; infinite: none in reach.
+  float SquaredDistanceToHit(const EndPoint& end) const;
+  // exp(-d^2 / 2 score_sigma^2) of it; 0: none in reach.
   double Explained(const EndPoint& end) const;
+  // d^2 of the likelihood, without limit; infinite: nothing in reach.
+  float SquaredMahalanobis(const EndPoint& end) const;
   // Whether a beam without a surface in reach ends where no beam has been, without having crossed a
   // surface on its last decimetres.
   bool IsUnknown(const EndPoint& end) const;
@@ -102,6 +117,8 @@ class EndpointModel {
   float noise_cells_;
   float max_squared_distance_;
   bool unseen_is_miss_;
+  Likelihood likelihood_;
+  bool free_cell_in_front_;
   double likelihood_scale_;
 };
 

@@ -1,5 +1,6 @@
 #include "frontend/control_input.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,6 +74,30 @@ TEST_F(ControlInputInARoom, WheelsAreTakenAsTheyAreIfThatIsAskedForButNotWithout
   const SE2 wheels = Between(SE2{3, -2, 0.7} * OnRound(20), odom_T_world_ * OnRound(21));
   ExpectNear(Take(ScanAt(21)).motion, wheels, 1e-9, 1e-9);
   EXPECT_EQ(Findings(), Kinds{"odometry_contradicted"});
+}
+
+TEST_F(ControlInputInARoom, RawOdometryIsTakenWhateverItSays) {
+  Start(OdometrySource::kRaw);
+  DriveUpTo(20);
+  EXPECT_EQ(Findings(), Kinds{});
+  const SE2 jump{0.2, 0.1, 1.0};
+  odom_T_world_ = odom_T_world_ * OnRound(20) * jump * Inverse(OnRound(20));
+  const ScanMotion motion = Take(ScanAt(21));
+  ExpectNear(motion.motion, jump * Between(OnRound(20), OnRound(21)), 1e-9, 1e-9);
+  EXPECT_EQ(motion.noise, 1.0);  // however well the wheels did before
+  EXPECT_EQ(Findings(), Kinds{"odometry_impossible"});
+  EXPECT_THAT(health_.findings().at("odometry_impossible").message,
+              testing::HasSubstr("used all the same"));
+}
+
+TEST_F(ControlInputInARoom, RawOdometryOverScansWithoutComesWithTheNextOne) {
+  Start(OdometrySource::kRaw);
+  DriveUpTo(20);
+  sensor::LaserScan without = ScanAt(21);
+  without.has_odometry = false;
+  EXPECT_TRUE(Take(without).motion == SE2{});
+  ExpectNear(Take(ScanAt(22)).motion, Between(OnRound(20), OnRound(22)), 1e-9, 1e-9);
+  EXPECT_EQ(Findings(), Kinds{"odometry_missing"});
 }
 
 TEST_F(ControlInputInARoom, ABlindScanIsReported) {

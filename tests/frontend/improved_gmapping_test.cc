@@ -27,7 +27,7 @@ class PlainGmapping : public testing::Test {
     options.linear_update_m = linear_update_m;
     options.angular_update_rad = angular_update_rad;
     options.filter.particles = 3;
-    options.filter.initial_guesses = 3;
+    options.filter.match_start.guesses = 3;
     options.control.source = OdometrySource::kWheel;
     options.control.check.max_speed_m_s = max_speed_m_s_;
     options.close_loops = false;

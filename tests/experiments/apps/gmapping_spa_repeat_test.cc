@@ -20,7 +20,7 @@ TEST_F(GmappingSpaTour, ThreadsDoNotChangeTheResult) {
 }
 
 TEST_F(GmappingSpaTour, FlagFilesRunAndRepeat) {
-  for (const std::string name : {"gmapping", "paper"}) {
+  for (const std::string name : {"gmapping", "gmapping_plus", "paper", "paper_plus"}) {
     const std::string flag_file = "--flagfile=" FLAGS_FOLDER "/" + name + ".flags";
     const std::string once = folder_.Path(name), again = folder_.Path(name + "_again");
     Run(once, {flag_file, "--particles=3"});
@@ -28,6 +28,15 @@ TEST_F(GmappingSpaTour, FlagFilesRunAndRepeat) {
     ExpectSameResult(once, again);
     EXPECT_LT(ErrorM(once), 0.1) << name;
   }
+}
+
+TEST_F(GmappingSpaTour, FlagsThatTheCommandLineOverridesAreRecorded) {
+  Run(folder_.path(), {"--particles=2", "--flagfile=" FLAGS_FOLDER "/gmapping.flags"});
+  const Json record = ReadRunRecord(folder_.path());
+  EXPECT_EQ(record["flags"]["particles"], 2);
+  EXPECT_EQ(record["flag_overrides"],
+            Json({"--linear_update_m=0.5 (command line) wins over 1.0 of gmapping.flags",
+                  "--particles=2 (command line) wins over 30 of gmapping.flags"}));
 }
 
 TEST_F(GmappingSpaTour, AnotherSeedGivesAnotherTrajectory) {
@@ -101,13 +110,13 @@ TEST_P(Switch, ChangesTheResultAndLeavesItGood) {
   EXPECT_FALSE(Contents(Result("trajectory.tum")) == Contents(folder_.Path("trajectory.tum")));
 }
 
-INSTANTIATE_TEST_SUITE_P(GmappingSpa, Switch,
-                         ::testing::Values("--odometry=wheel", "--scan_matcher=hill_climbing",
-                                           "--noloop_closure", "--nofinal_round", "--refine=0",
-                                           "--refine=2", "--correction=pose",
-                                           "--edge_information=hessian",
-                                           "--edge_information=constant",
-                                           "--edge_measurement=particle"));
+INSTANTIATE_TEST_SUITE_P(
+    GmappingSpa, Switch,
+    ::testing::Values("--odometry=wheel", "--scan_matcher=hill_climbing", "--noloop_closure",
+                      "--nofinal_round", "--refine=0", "--refine=2", "--correction=pose",
+                      "--edge_information=hessian", "--edge_information=constant",
+                      "--edge_measurement=particle", "--odometry=raw", "--match_start=draw",
+                      "--motion_noise=scan", "--proposal=match", "--likelihood=nearest_hit"));
 
 }  // namespace
 }  // namespace gmapping_spa::apps

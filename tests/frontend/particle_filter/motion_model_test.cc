@@ -104,5 +104,51 @@ TEST(MotionModel, CovarianceTurnsWithTheHeading) {
   EXPECT_GT(diagonal(0, 1), 0.9 * (along_x(0, 0) - along_x(1, 1)) / 2);
 }
 
+// A curve of twenty scans.
+Control Curve() {
+  Control control;
+  for (int scan = 0; scan < 20; ++scan) {
+    control.increments.push_back({0.05, 0.002, 0.02});
+    control.motion = control.motion * control.increments.back();
+  }
+  control.noise = 0.7;
+  return control;
+}
+
+TEST(MotionModel, NoiseAtEachScanHasTheCovarianceOfTheWalk) {
+  const MotionModel model({.linear_per_linear = 0.1, .noise_at_each_scan = true});
+  const Control control = Curve();
+  const SE2 previous{3, -1, 2.0}, mean = previous * control.motion;
+  const Matrix3d expected = model.Covariance(previous, control);
+  constexpr int kSamples = 20000;
+  backend::CounterRandom random(4, 0);
+  Matrix3d sum_of_squares = Matrix3d::Zero();
+  for (int i = 0; i < kSamples; ++i) {
+    const SE2 sample = model.Sample(previous, control, &random);
+    const Vector3d d(sample.x - mean.x, sample.y - mean.y,
+                     backend::WrapAngle(sample.theta - mean.theta));
+    sum_of_squares += d * d.transpose();
+  }
+  EXPECT_LT((sum_of_squares / kSamples - expected).norm(), 0.05 * expected.norm());
+}
+
+// Independent errors partly cancel: of n scans 1 / sqrt(n) is left.
+TEST(MotionModel, NoiseAtEachScanIsLessThanThatOfTheWholeMotion) {
+  Control straight{.motion = {1.0, 0, 0}, .increments = std::vector<SE2>(25, SE2{0.04, 0, 0})};
+  MotionModel::Options options{.linear_floor_m = 1e-9};
+  const double once = MotionModel(options).Covariance({}, straight)(0, 0);
+  options.noise_at_each_scan = true;
+  EXPECT_NEAR(MotionModel(options).Covariance({}, straight)(0, 0), once / 25.0, 1e-6 * once);
+}
+
+TEST(MotionModel, AControlWithoutIncrementsIsOneScan) {
+  MotionModel::Options options;
+  const Control control{.motion = {0.3, 0, 0.1}};
+  backend::CounterRandom once(5, 0), each(5, 0);
+  const SE2 expected = MotionModel(options).Sample({}, control, &once);
+  options.noise_at_each_scan = true;
+  EXPECT_TRUE(MotionModel(options).Sample({}, control, &each) == expected);
+}
+
 }  // namespace
 }  // namespace gmapping_spa::particle_filter

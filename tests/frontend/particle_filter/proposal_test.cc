@@ -33,7 +33,7 @@ SE2 Moved(const SE2& pose, const Vector3d& offset) {
   return {pose.x + offset.x(), pose.y + offset.y(), pose.theta + offset.z()};
 }
 
-// As wide as plain GMapping's, so that a corridor shows.
+// As wide as that of gmapping_plus.flags, so that a corridor shows.
 const MotionModel kMotionModel({.linear_per_linear = 0.2,
                                 .linear_per_angular = 0.1,
                                 .lateral_per_linear = 0.1,

@@ -60,7 +60,7 @@ inline ParticleFilter::Options Particles(int particles, int threads = 1, std::ui
   options.particles = particles;
   options.threads = threads;
   options.seed = seed;
-  options.initial_guesses = 5;
+  options.match_start.guesses = 5;
   options.resample_threshold = 0.9;  // so that it happens
   return options;
 }

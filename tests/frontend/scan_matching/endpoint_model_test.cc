@@ -231,6 +231,30 @@ TEST(EndpointModel, WallIsSeenFromItsOwnSide) {
   const ScanPoints points = {{1.15, 0.05, -1.0, 0.0}};
   EndpointModel model({.score_sigma_m = 0.1}, &grid, &points);
   EXPECT_NEAR(model.Score({}), std::exp(-0.5), 1e-4);
+  // Without that rule the right one, which is nearer, does.
+  EndpointModel open({.score_sigma_m = 0.1, .free_cell_in_front = false}, &grid, &points);
+  EXPECT_NEAR(open.Score({}), 1.0, 1e-4);
+}
+
+TEST(EndpointModel, LikelihoodOfTheNearestHitIsThatOfTheOriginalGMapping) {
+  map::OccupancyGrid grid({});  // cells of 0.05 m
+  grid.AddHit(20.5, 0.5);
+  grid.AddHit(21.5, 0.5);
+  // On the second hit mean, 0.03 m beside the first and a metre from either.
+  const ScanPoints points = {
+      {1.075, 0.025, -1.0, 0.0}, {1.025, 0.055, -1.0, 0.0}, {2.025, 0.025, -1.0, 0.0}};
+  EndpointModel::Options options{.likelihood_sigma_m = std::sqrt(0.075 / 2.0),
+                                 .unmatched_sigmas = std::sqrt(1.0 / 0.075),
+                                 .likelihood_gain = 1.0,
+                                 .unseen_is_miss = true,
+                                 .likelihood = EndpointModel::Likelihood::kNearestHit,
+                                 .free_cell_in_front = false};
+  EndpointModel model(options, &grid, &points);
+  EXPECT_NEAR(model.LogLikelihood({}), -(0.03 * 0.03 + 0.5) / 0.075, 1e-4);
+  // With the rule the second cell, behind the first, explains nothing; the first is a cell away.
+  options.free_cell_in_front = true;
+  EndpointModel strict(options, &grid, &points);
+  EXPECT_NEAR(strict.LogLikelihood({}), -(0.05 * 0.05 + 0.03 * 0.03 + 0.5) / 0.075, 1e-4);
 }
 
 }  // namespace
