@@ -10,7 +10,9 @@
 #include "experiments/apps/simulation_flags.h"
 #include "experiments/simulation/carmen_writer.h"
 
-DEFINE_string(output_dir, "", "Folder for log.clf, truth.tum, truth.pgm and truth.yaml.");
+DEFINE_string(output_dir, "",
+              "Folder for log.clf, truth.tum, truth.pgm and truth.yaml, with --obstacles "
+              "truth_obstacles.pgm and truth_obstacles.yaml.");
 DEFINE_uint64(seed, gmapping_spa::simulation::SimulationOptions().seed, "Seed of all noise.");
 
 namespace gmapping_spa::apps {

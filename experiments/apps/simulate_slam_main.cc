@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
       "makes a map and a trajectory of a simulated tour: what simulate and gmapping_spa do one "
       "after the other, with the same --seed.\n"
       "Usage: simulate_slam --world=FILE --output_dir=DIR [flags of simulate and gmapping_spa]\n"
-      "Writes what gmapping_spa writes, and truth.tum, truth.pgm and truth.yaml.",
+      "Writes what gmapping_spa writes, and truth.tum, truth.pgm and truth.yaml, with\n"
+      "--obstacles truth_obstacles.pgm and truth_obstacles.yaml.",
       gmapping_spa::apps::Run);
 }

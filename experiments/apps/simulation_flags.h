@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "experiments/apps/output_files.h"
@@ -18,12 +19,14 @@ struct SimulationSetup {
   simulation::WayPoints way_points;
   simulation::SimulationOptions options;
   map::TrinaryMap truth;
+  std::optional<map::TrinaryMap> obstacles;  // of --obstacles what stands: `truth` of it alone
 };
 
 // Throws std::runtime_error with one line when a flag or a file makes no sense.
 SimulationSetup SimulationFromFlags(std::uint64_t seed);
 
-// Writes truth.tum, truth.pgm and truth.yaml.
+// Writes truth.tum, truth.pgm and truth.yaml; with obstacles truth_obstacles.pgm and
+// truth_obstacles.yaml as well.
 void WriteTruth(const SimulationSetup& setup, const simulation::SimulationSummary& summary,
                 OutputFiles* files);
 

@@ -50,7 +50,7 @@ void Odometry::Advance(const BodyVelocity& true_velocity, double duration_s) {
   const double angle_rad = std::abs(true_velocity.angular_rad_s) * duration_s;
   const BodyVelocity reported = ToBodyVelocity(
       Slipped(ToWheelSpeeds(true_velocity, options_.wheel_base_m), distance_m, duration_s),
-      options_.wheel_base_m);
+      options_.wheel_base_factor * options_.wheel_base_m);
   const Jump jump = Bump(distance_m);
   backend::CounterRandom random(seed_, kOdometryStream, step_);
   const double translation_m =

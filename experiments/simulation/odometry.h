@@ -11,6 +11,10 @@ namespace gmapping_spa::simulation {
 
 struct OdometryOptions {
   double wheel_base_m = 0.5;
+  // The distance between the wheels that the odometry believes in, as a part of the true one: above
+  // 1, it turns less than the robot does. A robot measured badly; neither noise nor drawn by the
+  // seed, so `noise` and `interference` do not scale it.
+  double wheel_base_factor = 1.0;
   bool silent = false;  // the robot never believes to move
 
   // Variances grow with the motion, so that the noise of a path does not depend on the length of a

@@ -74,4 +74,17 @@ TrinaryMap TruthMap(const World& world, const Eigen::Vector2d& world_start, doub
   return coarse;
 }
 
+TrinaryMap Added(const TrinaryMap& truth, const TrinaryMap& truth_of_empty_world) {
+  if (truth.width != truth_of_empty_world.width || truth.height != truth_of_empty_world.height) {
+    throw std::invalid_argument("true maps of one world: expected the same grid");
+  }
+  TrinaryMap added = truth;
+  for (std::size_t i = 0; i < added.cells.size(); ++i) {
+    if (truth_of_empty_world.cells[i] == CellState::kOccupied) {
+      added.cells[i] = CellState::kUnknown;
+    }
+  }
+  return added;
+}
+
 }  // namespace gmapping_spa::simulation

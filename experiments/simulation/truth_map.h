@@ -18,6 +18,11 @@ namespace gmapping_spa::simulation {
 map::TrinaryMap TruthMap(const World& world, const Eigen::Vector2d& world_start,
                          double resolution_m);
 
+// What stands in a world and not in the same one without it: the true map of the one, unknown where
+// that of the other is occupied. Throws std::invalid_argument when their
+// grids differ.
+map::TrinaryMap Added(const map::TrinaryMap& truth, const map::TrinaryMap& truth_of_empty_world);
+
 }  // namespace gmapping_spa::simulation
 
 #endif  // GMAPPING_SPA_EXPERIMENTS_SIMULATION_TRUTH_MAP_H_

@@ -158,6 +158,19 @@ TEST(Odometry, WheelsAreWrongByTheSameAllTheWay) {
   ratio.ExpectNormal(0.0, 0.001);
 }
 
+TEST(Odometry, AWheelBaseBelievedTooWideReportsTurnsTooSmall) {
+  OdometryOptions options = OnlyInterference();
+  options.wheel_base_factor = 1.25;
+  Odometry odometry(options, 1);
+  odometry.Advance({1.2, 0.5}, kStepS);
+  EXPECT_DOUBLE_EQ(odometry.measured_velocity().angular_rad_s, 0.5 / 1.25);
+  EXPECT_DOUBLE_EQ(odometry.measured_velocity().linear_m_s, 1.2);
+  odometry.Advance({0.7, -0.3}, kStepS);
+  EXPECT_NEAR(odometry.measured_velocity().angular_rad_s, -0.3 / 1.25, 1e-12);
+  options.interference = 0.0;
+  EXPECT_NEAR(DriveFor(options, 1, {0.0, 0.5}, 100).theta, 2.5 / 1.25, 1e-9) << "not scaled";
+}
+
 TEST(Odometry, InterferenceScalesWhatTheSeedDraws) {
   OdometryOptions options;
   options.noise = 0.0;

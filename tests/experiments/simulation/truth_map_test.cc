@@ -78,5 +78,25 @@ TEST(TruthMap, RefusesABadStartOrResolution) {
   EXPECT_THROW(TruthMap(world, {2.5, 1.5}, 0.5), std::runtime_error);
 }
 
+TEST(TruthMap, WhatWasAddedStandsAlone) {
+  const std::vector<std::string> with_box = {"######",  //
+                                             "#..#.#",  //
+                                             "#....#",  //
+                                             "######"};
+  const std::vector<std::string> without = {"######",  //
+                                            "#....#",  //
+                                            "#....#",  //
+                                            "######"};
+  const auto truth_of = [](const std::vector<std::string>& lines, double resolution_m) {
+    return TruthMap(WorldOf(lines), {1.5, 1.5}, resolution_m);
+  };
+  EXPECT_EQ(Lines(Added(truth_of(with_box, 1.0), truth_of(without, 1.0))),
+            (std::vector<std::string>{"??????",  //
+                                      "?..#.?",  //
+                                      "?....?",  //
+                                      "??????"}));
+  EXPECT_THROW(Added(truth_of(with_box, 1.0), truth_of(without, 2.0)), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace gmapping_spa::simulation
