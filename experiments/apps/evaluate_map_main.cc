@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "backend/trajectory_io.h"
 #include "experiments/apps/app.h"
@@ -15,11 +16,15 @@
 #include "experiments/apps/json.h"
 #include "experiments/apps/trajectory_files.h"
 #include "experiments/metrics/association.h"
+#include "experiments/metrics/corner_errors.h"
+#include "experiments/metrics/ghost_walls.h"
 #include "experiments/metrics/map_comparison.h"
 #include "experiments/metrics/map_error.h"
 #include "experiments/metrics/map_structure.h"
+#include "experiments/metrics/object_errors.h"
 #include "experiments/metrics/seen_space.h"
 #include "experiments/metrics/trajectory_error.h"
+#include "experiments/metrics/wall_errors.h"
 #include "frontend/map/map_server_io.h"
 
 DEFINE_string(map, "", "YAML file of the map to score.");
@@ -39,6 +44,9 @@ DEFINE_double(max_range, 30.0, "How far the robot could see, m.");
 DEFINE_double(tolerance, 0.1,
               "Surface is missing when no occupied cell is this near, an occupied cell is extra "
               "when no surface is, m.");
+DEFINE_string(objects, "",
+              "YAML file of a map in the grid of --truth, occupied where the things stand that are "
+              "scored by themselves, such as truth_obstacles.yaml of simulate. Empty: none.");
 DEFINE_string(error_map, "", "PNG of the errors to write. Empty: none.");
 
 namespace gmapping_spa::apps {
@@ -59,7 +67,8 @@ void CheckFlags() {
   if (FLAGS_truth.empty()) {
     for (const auto& [name, value] :
          {std::pair("truth_trajectory", FLAGS_truth_trajectory),
-          std::pair("trajectory", FLAGS_trajectory), std::pair("error_map", FLAGS_error_map)}) {
+          std::pair("trajectory", FLAGS_trajectory), std::pair("objects", FLAGS_objects),
+          std::pair("error_map", FLAGS_error_map)}) {
       if (value.empty()) continue;
       throw std::runtime_error("--" + std::string(name) + " needs --truth=FILE");
     }
@@ -81,6 +90,42 @@ backend::SE2 AlignmentFromFlags(const TrajectoryFile& truth) {
       AssociateFiles(truth, ReadTrajectoryFile(FLAGS_trajectory), FLAGS_max_gap_s), alignment);
 }
 
+Json ToJson(const metrics::WallErrors& errors) {
+  return {{"in_sight", errors.walls},
+          {"in_sight_m", errors.walls_m},
+          {"missing", errors.missing_walls},
+          {"broken", errors.broken_walls},
+          {"gaps", errors.gaps},
+          {"gaps_m", errors.gaps_m},
+          {"doubled", errors.doubled_walls},
+          {"doubled_m", errors.doubled_walls_m}};
+}
+
+Json ToJson(const std::vector<metrics::GhostWall>& walls) {
+  double length_m = 0.0;
+  for (const metrics::GhostWall& wall : walls) length_m += wall.length_m;
+  return {{"number", walls.size()}, {"length_m", length_m}};
+}
+
+Json ToJson(const metrics::CornerErrors& errors) {
+  return {{"in_sight", errors.in_sight.size()},
+          {"found", errors.found},
+          {"false", errors.false_ones.size()}};
+}
+
+Json ToJson(const std::vector<metrics::ObjectErrors>& objects) {
+  Json json = Json::array();
+  for (const metrics::ObjectErrors& object : objects) {
+    json.push_back({{"x_m", object.center.x()},
+                    {"y_m", object.center.y()},
+                    {"surface_m", object.surface_m},
+                    {"there", object.is_there()},
+                    {"complete", ToJson(object.complete)},
+                    {"width_m", ToJson(object.width_m)}});
+  }
+  return json;
+}
+
 Json AgainstTruth(const map::TrinaryMap& map) {
   const map::TrinaryMap truth = map::ReadMap(FLAGS_truth);
   const TrajectoryFile true_trajectory = ReadTrajectoryFile(FLAGS_truth_trajectory);
@@ -89,10 +134,11 @@ Json AgainstTruth(const map::TrinaryMap& map) {
   const auto seen = metrics::LookAround(truth, true_poses, FLAGS_max_range);
   const auto comparison = metrics::CompareMaps(truth, seen, map, truth_T_map);
   const auto errors = metrics::SummarizeErrors(comparison, FLAGS_tolerance);
+  const auto ghosts = metrics::FindGhostWalls(comparison, FLAGS_tolerance);
   if (!FLAGS_error_map.empty()) {
     WriteErrorPicture(truth, comparison, FLAGS_tolerance, FLAGS_error_map);
   }
-  return {
+  Json json = {
       {"truth", {{"resolution_m", truth.resolution_m}, {"true_poses", true_poses.size()}}},
       {"align", FLAGS_align},
       {"alignment",
@@ -116,10 +162,19 @@ Json AgainstTruth(const map::TrinaryMap& map) {
       {"missing", ToJson(errors.missing)},
       {"extra", ToJson(errors.extra)},
       {"outside", ToJson(errors.outside)},
+      {"broken", errors.broken ? Json(*errors.broken) : Json(nullptr)},
+      {"walls", ToJson(metrics::FindWallErrors(comparison, ghosts, FLAGS_tolerance))},
+      {"ghost_walls", ToJson(ghosts)},
+      {"corners", ToJson(metrics::FindCornerErrors(truth, comparison, FLAGS_tolerance))},
       {"convention",
        "true surface: edges between occupied and seen free cells of the truth; a cell that the "
        "surface passes through is 0 m off; distances up to 1 m; precision, recall, iou within one "
        "cell; blur and shift along the normals of straight surface; null: nothing to measure"}};
+  if (!FLAGS_objects.empty()) {
+    json["objects"] = ToJson(
+        metrics::FindObjectErrors(truth, map::ReadMap(FLAGS_objects), comparison, FLAGS_tolerance));
+  }
+  return json;
 }
 
 void Run() {

@@ -33,7 +33,7 @@ std::vector<ComparedElement> CompareElements(const std::vector<SurfaceElement>& 
     if (!element.across) continue;
     Across across = *element.across;
     across.normal = rotation * across.normal;
-    compared.band = FindWallBand(map, middle, across);
+    compared.bands = FindWallBands(map, middle, across);
   }
   return elements;
 }

@@ -3,7 +3,6 @@
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_MAP_COMPARISON_H_
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 #include "backend/se2.h"
@@ -29,8 +28,8 @@ struct ComparedCell {
 
 // A SurfaceElement.
 struct ComparedElement {
-  double distance_m = 0.0;       // from its middle to the nearest occupied cell, 0 in it
-  std::optional<WallBand> band;  // across straight surface
+  double distance_m = 0.0;      // from its middle to the nearest occupied cell, 0 in it
+  std::vector<WallBand> bands;  // across straight surface, that of the wall first
 };
 
 struct MapComparison {

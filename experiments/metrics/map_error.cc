@@ -68,15 +68,16 @@ MapErrors SummarizeErrors(const MapComparison& comparison, double tolerance_m) {
   std::vector<double> widths, shifts;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     errors.straight_elements += comparison.surface[i].across.has_value();
-    if (!elements[i].band) continue;
-    widths.push_back(elements[i].band->width_m());
-    shifts.push_back(elements[i].band->distance_m());
+    if (elements[i].bands.empty()) continue;
+    widths.push_back(elements[i].bands.front().width_m());
+    shifts.push_back(elements[i].bands.front().distance_m());
   }
   errors.matched_elements = static_cast<int>(widths.size());
   errors.blur_m = ComputeMeanAndP95(std::move(widths));
   errors.shift_m = ComputeMeanAndP95(std::move(shifts));
 
   errors.iou = Iou(errors.precision, errors.recall);
+  if (errors.recall) errors.broken = errors.iou.value_or(0.0) < kBrokenIou;
   errors.known = Part(comparison.known_cells, static_cast<std::size_t>(comparison.seen_cells));
   return errors;
 }

@@ -9,6 +9,9 @@
 
 namespace gmapping_spa::metrics {
 
+// A map that overlaps less than this with the truth is broken.
+inline constexpr double kBrokenIou = 0.5;
+
 // Without a value is what has nothing to be taken of.
 struct MapErrors {
   // Of the occupied cells of the map.
@@ -30,6 +33,7 @@ struct MapErrors {
   std::optional<MeanAndP95> blur_m;
   std::optional<MeanAndP95> shift_m;
 
+  std::optional<bool> broken;   // overlaps less than kBrokenIou, or without any occupied cell
   std::optional<double> iou;    // of occupied cells and surface within one cell
   std::optional<double> known;  // part of the seen free cells
 };

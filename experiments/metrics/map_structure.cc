@@ -5,63 +5,18 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/metrics/closing.h"
+#include "experiments/metrics/harris_corners.h"
 #include "experiments/metrics/map_cells.h"
 
 namespace gmapping_spa::metrics {
 namespace {
 
+constexpr double kMinCornerShare = 0.5;  // of the strength of a wide wall's corner
+constexpr int kFrameCells = 3;           // reach of the closing and of the corner detector
+
 using map::CellState;
 using map::TrinaryMap;
-
-bool IsOccupied(const TrinaryMap& map, int column, int row) {
-  return StateAt(map, column, row) == CellState::kOccupied;
-}
-
-// Whether any of the 3 x 3 cells around this one is as asked for.
-template <typename Test>
-bool AnyAround(int column, int row, const Test& test) {
-  for (int y = row - 1; y <= row + 1; ++y) {
-    for (int x = column - 1; x <= column + 1; ++x) {
-      if (test(x, y)) return true;
-    }
-  }
-  return false;
-}
-
-// With a frame of unknown cells: maps end at their outermost walls, which have corners too.
-TrinaryMap Framed(const TrinaryMap& map) {
-  constexpr int kFrame = 3;  // reach of the sums of derivatives
-  TrinaryMap framed = map;
-  framed.width += 2 * kFrame;
-  framed.height += 2 * kFrame;
-  framed.cells.assign(static_cast<std::size_t>(framed.width) * framed.height, CellState::kUnknown);
-  for (int row = 0; row < map.height; ++row) {
-    for (int column = 0; column < map.width; ++column) {
-      framed.at(column + kFrame, row + kFrame) = map.at(column, row);
-    }
-  }
-  return framed;
-}
-
-// Morphological closing of the occupied cells: dilation, then erosion.
-TrinaryMap Closed(const TrinaryMap& map) {
-  TrinaryMap dilated = map, closed = map;
-  for (int row = 0; row < map.height; ++row) {
-    for (int column = 0; column < map.width; ++column) {
-      if (AnyAround(column, row, [&](int x, int y) { return IsOccupied(map, x, y); })) {
-        dilated.at(column, row) = CellState::kOccupied;
-      }
-    }
-  }
-  for (int row = 0; row < map.height; ++row) {
-    for (int column = 0; column < map.width; ++column) {
-      if (!AnyAround(column, row, [&](int x, int y) { return !IsOccupied(dilated, x, y); })) {
-        closed.at(column, row) = CellState::kOccupied;
-      }
-    }
-  }
-  return closed;
-}
 
 int CountEnclosedAreas(const TrinaryMap& map) {
   std::vector<bool> visited(map.cells.size(), false);
@@ -97,77 +52,14 @@ int CountEnclosedAreas(const TrinaryMap& map) {
   return areas;
 }
 
-// Harris' measure of every cell, from the image that is 1 where the map is occupied.
-std::vector<double> CornerStrength(const TrinaryMap& map) {
-  struct Products {
-    double xx = 0.0, xy = 0.0, yy = 0.0;
-  };
-  std::vector<Products> products(map.cells.size());
-  for (int row = 0; row < map.height; ++row) {
-    for (int column = 0; column < map.width; ++column) {
-      const auto at = [&](int x, int y) {
-        return IsOccupied(map, column + x, row + y) ? 1.0 : 0.0;
-      };
-      const double dx =
-          at(1, -1) + 2 * at(1, 0) + at(1, 1) - at(-1, -1) - 2 * at(-1, 0) - at(-1, 1);
-      const double dy =
-          at(-1, 1) + 2 * at(0, 1) + at(1, 1) - at(-1, -1) - 2 * at(0, -1) - at(1, -1);
-      products[static_cast<std::size_t>(row) * map.width + column] = {dx * dx, dx * dy, dy * dy};
-    }
-  }
-  std::vector<double> strength(map.cells.size(), 0.0);
-  for (int row = 2; row + 2 < map.height; ++row) {
-    for (int column = 2; column + 2 < map.width; ++column) {
-      Products sum;
-      for (int y = row - 2; y <= row + 2; ++y) {
-        for (int x = column - 2; x <= column + 2; ++x) {
-          const Products& p = products[static_cast<std::size_t>(y) * map.width + x];
-          sum.xx += p.xx, sum.xy += p.xy, sum.yy += p.yy;
-        }
-      }
-      const double trace = sum.xx + sum.yy;
-      strength[static_cast<std::size_t>(row) * map.width + column] =
-          sum.xx * sum.yy - sum.xy * sum.xy - 0.04 * trace * trace;
-    }
-  }
-  return strength;
-}
-
-int CountCorners(const TrinaryMap& map) {
-  constexpr double kMinStrength = 0.5 * 11047.0;  // the corner of a wide wall has 11047
-  constexpr int kRadius = 3;
-  const std::vector<double> strength = CornerStrength(map);
-  int corners = 0;
-  for (int row = 0; row < map.height; ++row) {
-    for (int column = 0; column < map.width; ++column) {
-      const std::size_t cell = static_cast<std::size_t>(row) * map.width + column;
-      bool is_corner = strength[cell] > kMinStrength;
-      for (int y = std::max(row - kRadius, 0);
-           is_corner && y <= std::min(row + kRadius, map.height - 1); ++y) {
-        for (int x = std::max(column - kRadius, 0); x <= std::min(column + kRadius, map.width - 1);
-             ++x) {
-          const std::size_t other = static_cast<std::size_t>(y) * map.width + x;
-          // Of equal ones the first counts.
-          if (strength[other] > strength[cell] ||
-              (strength[other] == strength[cell] && other < cell)) {
-            is_corner = false;
-          }
-        }
-      }
-      corners += is_corner;
-    }
-  }
-  return corners;
-}
-
 }  // namespace
 
 MapStructure MeasureStructure(const TrinaryMap& map) {
-  const TrinaryMap closed = Closed(Framed(map));
+  const TrinaryMap closed = Closed(Framed(map, kFrameCells), 1);
   return {.occupied_cells = static_cast<int>(
               std::count(map.cells.begin(), map.cells.end(), CellState::kOccupied)),
           .enclosed_areas = CountEnclosedAreas(closed),
-          .corners = CountCorners(closed)};
+          .corners = static_cast<int>(FindCorners(closed, kMinCornerShare).size())};
 }
 
 }  // namespace gmapping_spa::metrics

@@ -18,9 +18,7 @@ struct MapStructure {
 
 // An enclosed area is a set of free cells, connected by edges, that touches (by edges) occupied
 // cells only: no unknown ones and not the edge of the map.
-// A corner is a local maximum of Harris' measure det(M) - 0.04 trace(M)^2, with the derivatives of
-// Sobel summed over 5 x 5 cells: larger than half of what the corner of a wide wall has, and not
-// smaller than anywhere within three cells.
+// Corners are those of harris_corners.h with half the strength of a wide wall's or more.
 MapStructure MeasureStructure(const map::TrinaryMap& map);
 
 }  // namespace gmapping_spa::metrics

@@ -1,7 +1,7 @@
 #include "experiments/metrics/wall_band.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <iterator>
 #include <vector>
 
 #include "experiments/metrics/grid_ray.h"
@@ -9,8 +9,8 @@
 
 namespace gmapping_spa::metrics {
 
-std::optional<WallBand> FindWallBand(const map::TrinaryMap& map, const Eigen::Vector2d& surface,
-                                     const Across& across) {
+std::vector<WallBand> FindWallBands(const map::TrinaryMap& map, const Eigen::Vector2d& surface,
+                                    const Across& across) {
   constexpr double kTouchCells = 1e-6;  // what rounding makes of two cells side by side
   const Eigen::Vector2d along(-across.normal.y(), across.normal.x());
   const int lines = static_cast<int>(across.half_length_m / map.resolution_m + kTouchCells);
@@ -31,15 +31,19 @@ std::optional<WallBand> FindWallBand(const map::TrinaryMap& map, const Eigen::Ve
   }
   std::sort(pieces.begin(), pieces.end(),
             [](const WallBand& a, const WallBand& b) { return a.begin_m < b.begin_m; });
-  std::optional<WallBand> nearest;
-  for (std::size_t i = 0; i < pieces.size();) {
-    WallBand band = pieces[i++];
-    while (i < pieces.size() && pieces[i].begin_m <= band.end_m + kTouchCells * map.resolution_m) {
-      band.end_m = std::max(band.end_m, pieces[i++].end_m);
+  std::vector<WallBand> bands;
+  for (const WallBand& piece : pieces) {
+    if (bands.empty() || piece.begin_m > bands.back().end_m + kTouchCells * map.resolution_m) {
+      bands.push_back(piece);
+    } else {
+      bands.back().end_m = std::max(bands.back().end_m, piece.end_m);
     }
-    if (!nearest || band.distance_m() < nearest->distance_m()) nearest = band;
   }
-  return nearest;
+  const auto nearest = std::min_element(
+      bands.begin(), bands.end(),
+      [](const WallBand& a, const WallBand& b) { return a.distance_m() < b.distance_m(); });
+  if (nearest != bands.end()) std::rotate(bands.begin(), nearest, std::next(nearest));
+  return bands;
 }
 
 }  // namespace gmapping_spa::metrics

@@ -3,7 +3,7 @@
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_WALL_BAND_H_
 
 #include <Eigen/Core>
-#include <optional>
+#include <vector>
 
 #include "experiments/metrics/true_surface.h"
 #include "frontend/map/trinary_map.h"
@@ -20,12 +20,13 @@ struct WallBand {
   double distance_m() const { return begin_m > 0.0 ? begin_m : end_m < 0.0 ? -end_m : 0.0; }
 };
 
-// The band across the stretch of wall around `surface`, a point in the frame of the map, as is the
+// The bands across the stretch of wall around `surface`, a point in the frame of the map, as is the
 // normal of `across`. Lines along the normal, a cell of the map apart, cover the stretch and reach
-// as far as `across` says; where any of them is in an occupied cell, there is band. Of several
-// bands that do not touch it is the one nearest to the surface. Nothing when no line meets any.
-std::optional<WallBand> FindWallBand(const map::TrinaryMap& map, const Eigen::Vector2d& surface,
-                                     const Across& across);
+// as far as `across` says; where any of them is in an occupied cell, there is band. The band
+// nearest to the surface, which is the wall, comes first, the others from behind to the front. They
+// do not touch each other.
+std::vector<WallBand> FindWallBands(const map::TrinaryMap& map, const Eigen::Vector2d& surface,
+                                    const Across& across);
 
 }  // namespace gmapping_spa::metrics
 

@@ -17,6 +17,8 @@ from metrics import METRICS
 
 Scores = dict[str, float | None]
 
+OBSTACLES = "truth_obstacles.yaml"  # beside the truth of a world with obstacles
+
 
 def evaluate(binary: pathlib.Path, *words: str) -> dict[str, Any]:
     """What an evaluator prints as JSON."""
@@ -58,12 +60,15 @@ def map_scores(binaries: pathlib.Path, folder: pathlib.Path, truth: pathlib.Path
     if truth:
         words += [f"--truth={truth / 'truth.yaml'}", f"--truth_trajectory={truth / 'truth.tum'}",
                   f"--trajectory={folder / 'trajectory.tum'}", f"--error_map={partial}"]
+        if (truth / OBSTACLES).exists():
+            words.append(f"--objects={truth / OBSTACLES}")
     printed = evaluate(binaries / "evaluate_map", *words)
     if truth:
         partial.rename(error_map)
     alone = {f"map_{name}": printed["map"][name]
              for name in ("occupied_cells", "enclosed_areas", "corners")}
-    return alone | (errors_of_map(printed) if truth else {})
+    return alone | (errors_of_map(printed) | flaws_of_map(printed) | scores_of_obstacles(
+        printed.get("objects", [])) if truth else {})
 
 
 def errors_of_map(printed: dict[str, Any]) -> Scores:
@@ -75,6 +80,41 @@ def errors_of_map(printed: dict[str, Any]) -> Scores:
         scores[f"{name}_m"] = printed[key]["mean"]
         scores[f"{name}_p95_m"] = printed[key]["p95"]
     return scores
+
+
+def flaws_of_map(printed: dict[str, Any]) -> Scores:
+    """What a reader of the map sees."""
+    walls, ghosts, corners = printed["walls"], printed["ghost_walls"], printed["corners"]
+    return {
+        "map_broken": None if printed["broken"] is None else float(printed["broken"]),
+        "map_ghost_walls": ghosts["number"],
+        "map_ghost_walls_m": ghosts["length_m"],
+        "map_doubled_walls_m": walls["doubled_m"],
+        "map_missing_walls": part(walls["missing"], walls["in_sight"]),
+        "map_broken_walls": part(walls["broken"], walls["in_sight"]),
+        "map_wall_gaps": walls["gaps"],
+        "map_corners_found": part(corners["found"], corners["in_sight"]),
+        "map_corners_false": corners["false"],
+    }
+
+
+def part(some: int, whole: int) -> float | None:
+    return some / whole if whole else None
+
+
+def scores_of_obstacles(objects: list[dict[str, Any]]) -> Scores:
+    """Means over those of which the robot could see something."""
+    in_sight = [thing for thing in objects if thing["surface_m"] > 0.0]
+    return {
+        "obstacles_there": mean([float(thing["there"]) for thing in in_sight]),
+        "obstacles_complete": mean([thing["complete"] for thing in in_sight]),
+        "obstacles_blur_m": mean([thing["width_m"] for thing in in_sight
+                                  if thing["width_m"] is not None]),
+    }
+
+
+def mean(values: list[float]) -> float | None:
+    return sum(values) / len(values) if values else None
 
 
 def record_scores(record: dict[str, Any]) -> Scores:

@@ -89,6 +89,47 @@ TEST_F(EvaluateMapApp, LaysTheMapOverTheTruthByTheTrajectories) {
   }
 }
 
+TEST_F(EvaluateMapApp, SaysWhatAReaderSees) {
+  const auto json = JsonOf({EVALUATE_MAP, map_, truth_, true_poses_, poses_});
+  EXPECT_EQ(json["broken"], false);
+  EXPECT_EQ(json["walls"]["in_sight"], 4);
+  for (const char* zero : {"missing", "broken", "gaps", "gaps_m", "doubled", "doubled_m"})
+    EXPECT_EQ(json["walls"][zero], 0.0) << zero;
+  EXPECT_EQ(json["ghost_walls"]["number"], 0);
+  EXPECT_EQ(json["ghost_walls"]["length_m"], 0.0);
+  EXPECT_EQ(json["corners"]["in_sight"], 4);
+  EXPECT_EQ(json["corners"]["found"], 4);
+  EXPECT_EQ(json["corners"]["false"], 0);
+  EXPECT_FALSE(json.contains("objects"));
+}
+
+TEST_F(EvaluateMapApp, ScoresObjectsByThemselves) {
+  TrinaryMap truth = Room(0.0, 0.0), objects = Room(0.0, 0.0);
+  std::fill(objects.cells.begin(), objects.cells.end(), CellState::kUnknown);
+  for (int row = 14; row < 18; ++row) {
+    for (int column = 20; column < 30; ++column) {
+      truth.at(column, row) = objects.at(column, row) = CellState::kOccupied;
+    }
+  }
+  const std::string objects_flag = "--objects=" + MapFile("objects", objects);
+  const auto scores = [&](const TrinaryMap& map) {
+    return JsonOf({EVALUATE_MAP, "--map=" + MapFile("drawn", map),
+                   "--truth=" + MapFile("furnished", truth), true_poses_, "--align=none",
+                   objects_flag})["objects"];
+  };
+  ASSERT_EQ(scores(truth).size(), 1);
+  EXPECT_EQ(scores(truth)[0]["there"], true);
+  EXPECT_EQ(scores(truth)[0]["complete"], 1.0);
+  EXPECT_NEAR(scores(truth)[0]["x_m"].get<double>(), 1.2, 1e-9);
+  const auto lost = scores(Room(0.0, 0.0))[0];
+  EXPECT_EQ(lost["there"], false);
+  EXPECT_EQ(lost["complete"], 0.0);
+  EXPECT_TRUE(lost["width_m"].is_null());
+  EXPECT_THAT(ErrorOf({EVALUATE_MAP, map_, truth_, true_poses_, poses_, objects_flag}),
+              HasSubstr("stand in the true map"));
+  EXPECT_THAT(ErrorOf({EVALUATE_MAP, map_, objects_flag}), HasSubstr("--truth"));
+}
+
 TEST_F(EvaluateMapApp, WithoutAlignmentTheShiftIsAnErrorAndNoTrajectoryIsNeeded) {
   const auto json = JsonOf({EVALUATE_MAP, map_, truth_, true_poses_, "--align=none"});
   EXPECT_EQ(json["alignment"]["x_m"], 0.0);

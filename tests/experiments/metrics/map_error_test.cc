@@ -224,6 +224,12 @@ TEST(MapError, OfAMapWithoutOccupiedCellsHasNoValueWhereThereIsNothingToMeasure)
   EXPECT_NEAR(errors.truth_to_map_m->mean, kDistanceCap_m, kNear);
 }
 
+TEST(MapError, AMapIsBrokenWhenLessThanHalfOverlaps) {
+  EXPECT_EQ(ErrorsOf(Corridor(), Corridor()).broken, false);
+  EXPECT_EQ(ErrorsOf(Corridor(), Corridor(), {0.0, 0.1, 0.0}).broken, true) << "IoU is a third";
+  EXPECT_EQ(ErrorsOf(Corridor(), UnknownMap(5, 5)).broken, true) << "nothing is drawn";
+}
+
 TEST(MapError, AllowsDifferentResolutions) {
   // The same corridor in cells of 0.1 m; the walls lie at multiples of that.
   TrinaryMap coarse = UnknownMap(kColumns / 2, 30);

@@ -14,9 +14,10 @@ constexpr double kX = 0.525, kSurface_y = 1.0;
 
 std::optional<WallBand> BandOf(const map::TrinaryMap& map, double behind_m = 0.5,
                                double in_front_m = 0.5) {
-  return FindWallBand(
+  const std::vector<WallBand> bands = FindWallBands(
       map, {kX, kSurface_y},
       {.normal = {0.0, 1.0}, .half_length_m = 0.1, .behind_m = behind_m, .in_front_m = in_front_m});
+  return bands.empty() ? std::nullopt : std::optional(bands.front());
 }
 
 // Rows [bottom, top) are occupied; row 20 is the first in front of the surface.
@@ -52,6 +53,19 @@ TEST(WallBand, IsTheNearestOfSeveral) {
   Fill(0, 24, 40, 27, CellState::kOccupied, &map);
   EXPECT_NEAR(BandOf(map)->width_m(), 0.05, 1e-9);
   EXPECT_NEAR(BandOf(map)->distance_m(), 0.0, 1e-9);
+}
+
+TEST(WallBand, TheOthersFollowFromBehindToTheFront) {
+  map::TrinaryMap map = WallOfRows(19, 20);
+  Fill(0, 24, 40, 27, CellState::kOccupied, &map);
+  Fill(0, 14, 40, 15, CellState::kOccupied, &map);
+  const auto bands = FindWallBands(
+      map, {kX, kSurface_y},
+      {.normal = {0.0, 1.0}, .half_length_m = 0.1, .behind_m = 0.5, .in_front_m = 0.5});
+  ASSERT_EQ(bands.size(), 3U);
+  EXPECT_NEAR(bands[0].end_m, 0.0, 1e-9);
+  EXPECT_NEAR(bands[1].end_m, -0.25, 1e-9);
+  EXPECT_NEAR(bands[2].begin_m, 0.2, 1e-9);
 }
 
 TEST(WallBand, JoinsCellsSideBySideInTheStretch) {
