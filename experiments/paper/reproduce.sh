@@ -1,29 +1,58 @@
 #!/usr/bin/env bash
 # The paper's experiments and ours around them: installs what is missing, builds, runs, reports.
-#   experiments/paper/reproduce.sh [--quick] [-j N] [--work_dir DIR]
-#     --quick     two seeds on a short tour: shows in minutes that everything runs
-#     -j N        runs side by side; default: one a core
-#     --work_dir  results; default: out/paper, with --quick out/paper_quick
+#   experiments/paper/reproduce.sh [--quick] [-j N] [--work_dir DIR] [--world FILE ...]
+#     --quick      two seeds on a short tour: shows in minutes that everything runs
+#     -j N         runs side by side; default: one a core
+#     --work_dir   results; default: out/paper, with --quick out/paper_quick
+#     --world      a world of your own (experiments/simulation/README.md) instead of the paper's building;
+#                  results: out/paper_NAME, with --quick out/paper_NAME_quick
+#     --path       its way points; default: the world's name with .path.yaml
+#     --obstacles  obstacles for it; without, studies with obstacles are left out
 # Stopped, it goes on where it was.
 set -euo pipefail
 
-usage() { sed -n '2,6s/^# \?//p' "$0"; }
+usage() { sed -n '2,11s/^# \?//p' "$0"; }
+
+fail() {
+  echo "reproduce.sh: error: $1" >&2
+  exit 1
+}
+
+# A file that a flag names, as seen from the caller's folder.
+file_of() {
+  [[ -f $2 ]] || fail "$1=$2: no such file"
+  realpath "$2"
+}
 
 quick=()
+world=()
+name=paper
 jobs=$(nproc)
 work=
 while [[ $# -gt 0 ]]; do
   case $1 in
+    --world | --path | --obstacles | --work_dir)
+      [[ $# -ge 2 ]] || fail "$1 needs a value"
+      flag=$1 value=$2
+      shift 2
+      set -- "$flag=$value" "$@"
+      ;;
+    --world=* | --path=* | --obstacles=*)
+      file=$(file_of "${1%%=*}" "${1#*=}")
+      world+=("${1%%=*}=$file")
+      [[ $1 == --world=* ]] && name=paper_$(basename "${file%.*}")
+      shift
+      ;;
     --quick) quick=(--quick); shift ;;
     -j) jobs=${2:?-j needs a number}; shift 2 ;;
-    --work_dir) work=$(realpath -m "${2:?--work_dir needs a folder}"); shift 2 ;;
     --work_dir=*) work=$(realpath -m "${1#*=}"); shift ;;
     -h | --help) usage; exit 0 ;;
     *) usage >&2; exit 1 ;;
   esac
 done
+[[ ${#world[@]} -eq 0 || $name != paper ]] || fail "--path and --obstacles need --world=FILE"
 cd "$(dirname "$0")/../.."
-work=${work:-$PWD/out/paper${quick:+_quick}}
+work=${work:-$PWD/out/$name${quick:+_quick}}
 
 experiments/install_packages.sh experiments
 cmake --preset release >/dev/null
@@ -34,6 +63,11 @@ studies=(experiment_1 experiment_2
   walking_pedestrian particles odometry_noise equation_14 back_ends scans_in_the_map)
 files=("${studies[@]/#/experiments/paper/}")
 files=("${files[@]/%/.yaml}")
+if [[ ${#world[@]} -gt 0 ]]; then
+  moved=$(/usr/bin/python3 experiments/paper/in_another_world.py "${world[@]}" \
+    --output "$work/studies" "${files[@]}")
+  mapfile -t files <<<"$moved"
+fi
 /usr/bin/python3 experiments/workflow/run_study.py "${quick[@]}" -j "$jobs" --work_dir "$work" \
   "${files[@]}"
 echo "The report: $work/report/index.html"
