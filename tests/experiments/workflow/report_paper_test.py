@@ -26,9 +26,11 @@ class PaperTest(unittest.TestCase):
         studies = self.load()
         for name, particles in (("experiment_1", [30, 15, 5]), ("experiment_2", [30, 5])):
             study = studies[name]
-            _, columns, cells = study.figures[0].grid(study)
-            self.assertEqual(columns, particles)
-            self.assertEqual(len(cells), 2 * len(particles))
+            self.assertEqual(len(study.figures), 3)  # kinds of odometry
+            for figure in study.figures:
+                _, columns, cells = figure.grid(study)
+                self.assertEqual(columns, particles)
+                self.assertEqual(len(cells), 3 * len(particles))
             self.assertEqual(len(study.seeds), 20)
 
     def test_quick_version_is_small(self):
