@@ -16,6 +16,7 @@
 #include "experiments/apps/json.h"
 #include "experiments/apps/trajectory_files.h"
 #include "experiments/metrics/association.h"
+#include "experiments/metrics/best_alignment.h"
 #include "experiments/metrics/corner_errors.h"
 #include "experiments/metrics/ghost_walls.h"
 #include "experiments/metrics/map_comparison.h"
@@ -77,7 +78,13 @@ void CheckFlags() {
   }
 }
 
-backend::SE2 AlignmentFromFlags(const TrajectoryFile& truth) {
+// How the map lies over the truth: by all poses together, as --align says, and by single ones.
+struct Alignments {
+  backend::SE2 truth_T_map;
+  std::vector<backend::SE2> by_pose;  // evenly over the trajectory; none with --align=none
+};
+
+Alignments AlignmentsFromFlags(const TrajectoryFile& truth) {
   const auto alignment = OneOf<metrics::Alignment>("align", FLAGS_align,
                                                    {{"first", metrics::Alignment::kFirst},
                                                     {"none", metrics::Alignment::kNone},
@@ -86,8 +93,32 @@ backend::SE2 AlignmentFromFlags(const TrajectoryFile& truth) {
   if (FLAGS_trajectory.empty()) {
     throw std::runtime_error("--align=" + FLAGS_align + " needs --trajectory=FILE");
   }
-  return metrics::Align(
-      AssociateFiles(truth, ReadTrajectoryFile(FLAGS_trajectory), FLAGS_max_gap_s), alignment);
+  const std::vector<metrics::PosePair> pairs =
+      AssociateFiles(truth, ReadTrajectoryFile(FLAGS_trajectory), FLAGS_max_gap_s);
+  Alignments alignments{metrics::Align(pairs, alignment), {}};
+  constexpr std::size_t kPoses = 20;
+  for (std::size_t i = 0; i < kPoses; ++i) {
+    const metrics::PosePair& pair = pairs[i * (pairs.size() - 1) / (kPoses - 1)];
+    alignments.by_pose.push_back(pair.truth_T_robot * Inverse(pair.estimate_T_robot));
+  }
+  return alignments;
+}
+
+// The map where most of it fits, which may be another place than the trajectory says.
+metrics::MapComparison CompareWhereItFits(const map::TrinaryMap& truth,
+                                          const metrics::MapComparison& comparison,
+                                          const map::TrinaryMap& map, const Alignments& alignments,
+                                          backend::SE2* truth_T_map) {
+  *truth_T_map = alignments.truth_T_map;
+  if (alignments.by_pose.empty()) return comparison;
+  std::vector<backend::SE2> candidates = {alignments.truth_T_map};
+  candidates.insert(candidates.end(), alignments.by_pose.begin(), alignments.by_pose.end());
+  *truth_T_map = metrics::FindBestAlignment(truth, map, candidates);
+  return metrics::CompareMaps(truth, comparison.seen, map, *truth_T_map);
+}
+
+Json ToJson(const backend::SE2& truth_T_map) {
+  return {{"x_m", truth_T_map.x}, {"y_m", truth_T_map.y}, {"theta_rad", truth_T_map.theta}};
 }
 
 Json ToJson(const metrics::WallErrors& errors) {
@@ -130,19 +161,21 @@ Json AgainstTruth(const map::TrinaryMap& map) {
   const map::TrinaryMap truth = map::ReadMap(FLAGS_truth);
   const TrajectoryFile true_trajectory = ReadTrajectoryFile(FLAGS_truth_trajectory);
   const backend::Trajectory& true_poses = true_trajectory.poses;
-  const backend::SE2 truth_T_map = AlignmentFromFlags(true_trajectory);
+  const Alignments alignments = AlignmentsFromFlags(true_trajectory);
+  const backend::SE2& truth_T_map = alignments.truth_T_map;
   const auto seen = metrics::LookAround(truth, true_poses, FLAGS_max_range);
   const auto comparison = metrics::CompareMaps(truth, seen, map, truth_T_map);
   const auto errors = metrics::SummarizeErrors(comparison, FLAGS_tolerance);
-  const auto ghosts = metrics::FindGhostWalls(comparison, FLAGS_tolerance);
+  backend::SE2 best_truth_T_map;
+  const auto fitted = CompareWhereItFits(truth, comparison, map, alignments, &best_truth_T_map);
+  const auto ghosts = metrics::FindGhostWalls(fitted, FLAGS_tolerance);
   if (!FLAGS_error_map.empty()) {
     WriteErrorPicture(truth, comparison, FLAGS_tolerance, FLAGS_error_map);
   }
   Json json = {
       {"truth", {{"resolution_m", truth.resolution_m}, {"true_poses", true_poses.size()}}},
       {"align", FLAGS_align},
-      {"alignment",
-       {{"x_m", truth_T_map.x}, {"y_m", truth_T_map.y}, {"theta_rad", truth_T_map.theta}}},
+      {"alignment", ToJson(truth_T_map)},
       {"seen",
        {{"max_range_m", FLAGS_max_range},
         {"view_points", seen.view_points},
@@ -163,16 +196,17 @@ Json AgainstTruth(const map::TrinaryMap& map) {
       {"extra", ToJson(errors.extra)},
       {"outside", ToJson(errors.outside)},
       {"broken", errors.broken ? Json(*errors.broken) : Json(nullptr)},
-      {"walls", ToJson(metrics::FindWallErrors(comparison, ghosts, FLAGS_tolerance))},
+      {"best_alignment", ToJson(best_truth_T_map)},
+      {"walls", ToJson(metrics::FindWallErrors(fitted, ghosts, FLAGS_tolerance))},
       {"ghost_walls", ToJson(ghosts)},
-      {"corners", ToJson(metrics::FindCornerErrors(truth, comparison, FLAGS_tolerance))},
+      {"corners", ToJson(metrics::FindCornerErrors(truth, fitted, FLAGS_tolerance))},
       {"convention",
        "true surface: edges between occupied and seen free cells of the truth; a cell that the "
        "surface passes through is 0 m off; distances up to 1 m; precision, recall, iou within one "
        "cell; blur and shift along the normals of straight surface; null: nothing to measure"}};
   if (!FLAGS_objects.empty()) {
     json["objects"] = ToJson(
-        metrics::FindObjectErrors(truth, map::ReadMap(FLAGS_objects), comparison, FLAGS_tolerance));
+        metrics::FindObjectErrors(truth, map::ReadMap(FLAGS_objects), fitted, FLAGS_tolerance));
   }
   return json;
 }

@@ -15,22 +15,6 @@ bool IsOccupied(const TrinaryMap& map, int column, int row) {
   return StateAt(map, column, row) == CellState::kOccupied;
 }
 
-// Occupied where any of the 3 x 3 cells around is.
-TrinaryMap Dilated(const TrinaryMap& map) {
-  TrinaryMap dilated = map;
-  for (int row = 0; row < map.height; ++row) {
-    for (int column = 0; column < map.width; ++column) {
-      if (map.at(column, row) != CellState::kOccupied) continue;
-      for (int y = std::max(row - 1, 0); y <= std::min(row + 1, map.height - 1); ++y) {
-        for (int x = std::max(column - 1, 0); x <= std::min(column + 1, map.width - 1); ++x) {
-          dilated.at(x, y) = CellState::kOccupied;
-        }
-      }
-    }
-  }
-  return dilated;
-}
-
 // No longer occupied where any of the 3 x 3 cells around is not; then as `before`.
 TrinaryMap Eroded(const TrinaryMap& map, const TrinaryMap& before) {
   TrinaryMap eroded = map;
@@ -61,6 +45,21 @@ TrinaryMap Framed(const TrinaryMap& map, int frame_cells) {
     }
   }
   return framed;
+}
+
+TrinaryMap Dilated(const TrinaryMap& map) {
+  TrinaryMap dilated = map;
+  for (int row = 0; row < map.height; ++row) {
+    for (int column = 0; column < map.width; ++column) {
+      if (map.at(column, row) != CellState::kOccupied) continue;
+      for (int y = std::max(row - 1, 0); y <= std::min(row + 1, map.height - 1); ++y) {
+        for (int x = std::max(column - 1, 0); x <= std::min(column + 1, map.width - 1); ++x) {
+          dilated.at(x, y) = CellState::kOccupied;
+        }
+      }
+    }
+  }
+  return dilated;
 }
 
 TrinaryMap Closed(const TrinaryMap& map, int cells) {

@@ -103,6 +103,22 @@ TEST_F(EvaluateMapApp, SaysWhatAReaderSees) {
   EXPECT_FALSE(json.contains("objects"));
 }
 
+TEST_F(EvaluateMapApp, JudgesWallsWhereMostOfTheMapFits) {
+  // The second half of the path is wrong, and with it the alignment, but not the map.
+  const std::string poses = "--trajectory=" + folder_.FileWith("half_wrong.tum",
+                                                               "0 0 0 0 0 0 0 1\n"
+                                                               "1 1 0.6 0 0 0 0 1\n");
+  const auto json = JsonOf({EVALUATE_MAP, map_, truth_, true_poses_, poses,
+                            "--objects=" + MapFile("walls", Room(0.0, 0.0))});
+  EXPECT_EQ(json["objects"][0]["complete"], 1.0);
+  EXPECT_LT(json["iou"].get<double>(), 0.5);
+  EXPECT_NEAR(json["best_alignment"]["x_m"].get<double>(), 0.5, 0.03);
+  EXPECT_NEAR(json["best_alignment"]["y_m"].get<double>(), 0.5, 0.03);
+  EXPECT_EQ(json["walls"]["missing"], 0);
+  EXPECT_EQ(json["ghost_walls"]["number"], 0);
+  EXPECT_EQ(json["corners"]["found"], 4);
+}
+
 TEST_F(EvaluateMapApp, ScoresObjectsByThemselves) {
   TrinaryMap truth = Room(0.0, 0.0), objects = Room(0.0, 0.0);
   std::fill(objects.cells.begin(), objects.cells.end(), CellState::kUnknown);
