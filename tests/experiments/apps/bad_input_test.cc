@@ -232,6 +232,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"Unknown", "--nope=1", "nope"}, Case{"Word", "more", "'more'"},
                       Case{"AngularResolution", "--angular_resolution=0.7", "--angular_resolution"},
                       Case{"FieldOfView", "--fov_deg=361", "--fov_deg"},
+                      Case{"WheelBase", "--wheel_base_factor=0", "--wheel_base_factor"},
                       Case{"FieldOfViewThatNoBeamsDivide", "--fov_deg=100.1", "--fov_deg"},
                       Case{"MountWithoutAngle", "--laser_mount=0,0", "--laser_mount"},
                       Case{"MountOfWords", "--laser_mount=0,0,back", "'back'"},

@@ -2,10 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "experiments/apps/input_file.h"
+#include "experiments/metrics/connected_cells.h"
+#include "frontend/map/map_server_io.h"
 #include "tests/experiments/apps/gmapping_spa_tour.h"
 
 namespace gmapping_spa::apps {
@@ -53,6 +56,18 @@ TEST_F(SimulateSlam, RecordTellsWhatWasSimulated) {
   EXPECT_EQ(record["flags"]["interference"], 2.0);
   EXPECT_EQ(record["flags"]["seed"], 7);
   EXPECT_FALSE(record["flags"].contains("world"));
+}
+
+TEST_F(SimulateSlam, WritesTheTruthOfObstaclesWhenThereAreSome) {
+  ASSERT_EQ(SimulateAndMap({}).status, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_.Path("out/truth_obstacles.yaml")));
+  ASSERT_EQ(SimulateAndMap({"--obstacles=" WORLDS_FOLDER "/paper_obstacles.yaml"}).status, 0);
+  const map::TrinaryMap obstacles = map::ReadMap(folder_.Path("out/truth_obstacles.yaml"));
+  const map::TrinaryMap truth = map::ReadMap(folder_.Path("out/truth.yaml"));
+  ASSERT_EQ(obstacles.cells.size(), truth.cells.size());
+  EXPECT_EQ(obstacles.at(230, 320), map::CellState::kOccupied);  // the western side of the left one
+  EXPECT_EQ(truth.at(230, 320), map::CellState::kOccupied);
+  EXPECT_EQ(metrics::ConnectedCells(obstacles).size(), 3U);
 }
 
 TEST_F(SimulateSlam, LeavesNothingWhenItFails) {
