@@ -59,7 +59,7 @@ cmake --preset release >/dev/null
 cmake --build --preset release --target gmapping_spa simulate evaluate_trajectory \
   evaluate_relations evaluate_map
 
-studies=(experiment_1 experiment_2 parts choices speed_and_resolution particles
+studies=(experiment_1 experiment_2 original parts choices speed_and_resolution particles
   walking_pedestrian scans_in_the_map)
 files=("${studies[@]/#/experiments/paper/}")
 files=("${files[@]/%/.yaml}")

@@ -34,7 +34,8 @@ def overview(measured):
 
 
 def by_log(measured):
-    """The main metric alone, a column a log that has one, so that a glance shows who is good where."""
+    """The main metric alone, and how many maps broke, a column a log that has one, so that a glance shows
+    who is good where."""
     main = {log: _main_metric(measured, log) for log in measured.logs()}
     logs = [log for log in main if main[log]]
     rows = {}
@@ -44,7 +45,8 @@ def by_log(measured):
     heads = [f"{log}: {heading(main[log])}" for log in logs]
     return Table(
         f"{measured.study.name}_by_log",
-        f"{measured.study.title}: median over the runs that ended well, and the worst of them",
+        f"{measured.study.title}: median over the runs that ended well, and the worst of them, and how "
+        "many of their maps are broken (IoU below 0.5), if any",
         [*(name for name, _ in next(iter(rows))), *heads],
         [[*(value for _, value in within),
           *(_median_and_worst(measured, by_log[log], main[log]) for log in logs)]
@@ -63,7 +65,9 @@ def _median_and_worst(measured, cell, name):
         return None
     worst = max(values) if METRICS[name].better == "lower" else min(values)
     median = statistics.summarize(values).median
-    return Shown(f"{median:.4f}" + (f" ({worst:.4f})" if len(values) > 1 else ""), median)
+    broken = [v for v in measured.values(cell, "map_broken").values() if v is not None]
+    return Shown(f"{median:.4f}" + (f" ({worst:.4f})" if len(values) > 1 else "")
+                 + (f", {sum(broken):.0f} of {len(broken)} broken" if any(broken) else ""), median)
 
 
 def cells(measured):

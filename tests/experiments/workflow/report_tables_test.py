@@ -58,6 +58,10 @@ class TablesTest(report_fixture.ResultsTestCase):
                                         "building: boundary blur (m)"])
         plain = [text(cell) for cell in table.rows[0]]
         self.assertEqual(plain, ["GMapping", "30", "0.1400 (0.1600)", "0.1350 (0.1600)"])
+        for run in self.results.study.runs:
+            self.results.write_scores(run, {"map_blur_m": 0.1, "map_broken": float(run.seed == 2)})
+        self.assertEqual(text(self.tables()["by_log"].rows[0][3]),
+                         "0.1000 (0.1000), 1 of 6 broken")
 
     def test_one_log_has_no_table_of_logs_side_by_side(self):
         self.assertNotIn("by_log", self.tables())
