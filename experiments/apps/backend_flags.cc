@@ -14,38 +14,48 @@ DEFINE_string(backend, "spa",
               "What optimizes pose graphs: spa, ceres, none, the name of another back end in "
               "$GMAPPING_SPA_PLUGIN_PATH, or the path of its shared library.");
 DEFINE_string(init, "auto",
-              "Where the optimizer starts: auto (its own choice), keep, odometry, spanning_tree, "
-              "chordal.");
-DEFINE_int32(max_iterations, 100, "Iterations an optimization may take.");
-DEFINE_double(cost_tolerance, 1e-7,
-              "An optimization has converged when a further step would lower the cost by less than "
-              "this fraction.");
+              "Start of an optimization: auto (the back end chooses), keep (the poses given), "
+              "odometry (along successive nodes), spanning_tree or chordal (chordal initialization "
+              "of Carlone et al. 2015).");
+DEFINE_int32(max_iterations, 100, "Largest number of iterations of an optimization.");
+DEFINE_double(
+    cost_tolerance, 1e-7,
+    "An optimization has converged when a step would lower the cost by less than this part of it.");
 DEFINE_string(loss, "none",
-              "Loss of loop closures: none, huber, cauchy, dcs (dynamic covariance scaling), "
-              "truncated (truncated least squares).");
+              "Robust loss of loop closures: none, huber, cauchy, dcs (dynamic covariance scaling, "
+              "Agarwal et al. 2013) or truncated (truncated least squares).");
 DEFINE_double(loss_scale, 3.0,
-              "Standard deviations from which on --loss takes a loop closure for doubtful.");
-DEFINE_bool(gnc, true, "Approach --loss=truncated by graduated non-convexity.");
+              "Size of the error of a loop closure, in standard deviations, from which on --loss "
+              "lowers its weight.");
+DEFINE_bool(gnc, true,
+            "Optimize with --loss=truncated by graduated non-convexity (Yang et al. 2020), not "
+            "from the start.");
 DEFINE_string(backend_settings, "",
               "Settings of a back end without flags of its own: name=value,name=value...");
 
 // Flags of the form --<backend>_<setting>; their defaults are the back ends' own.
-DEFINE_string(spa_solver, "block", "Linear solver of spa: block (3x3 blocks), cholmod.");
-DEFINE_double(spa_damping, 0.0, "Damping lambda (eq. 5) that spa begins with; 0: Gauss-Newton.");
+DEFINE_string(spa_solver, "block",
+              "Linear solver of spa: block (Cholesky factorization of 3x3 blocks) or cholmod.");
+DEFINE_double(spa_damping, 0.0, "First damping lambda of spa (eq. 5); 0: Gauss-Newton.");
 DEFINE_int32(spa_max_rises, 2,
-             "Steps in succession that may miss the lowest cost before spa starts damping.");
-DEFINE_string(ceres_linear_solver, "sparse_normal_cholesky",
-              "Linear solver of ceres: sparse_normal_cholesky, dense_normal_cholesky, dense_qr, "
-              "cgnr.");
-DEFINE_string(ceres_sparse_library, "suite_sparse", "suite_sparse or eigen_sparse.");
-DEFINE_string(ceres_trust_region, "levenberg_marquardt", "levenberg_marquardt or dogleg.");
+             "Number of steps in succession by which spa may fail to lower the cost before it "
+             "starts damping.");
+DEFINE_string(
+    ceres_linear_solver, "sparse_normal_cholesky",
+    "Linear solver of ceres: sparse_normal_cholesky, dense_normal_cholesky, dense_qr or cgnr.");
+DEFINE_string(ceres_sparse_library, "suite_sparse",
+              "Sparse linear algebra of ceres: suite_sparse or eigen_sparse.");
+DEFINE_string(ceres_trust_region, "levenberg_marquardt",
+              "Trust region strategy of ceres: levenberg_marquardt or dogleg.");
 DEFINE_double(ceres_initial_radius, 1e4,
-              "First trust-region radius of ceres; 1e16 is nearly Gauss-Newton.");
-DEFINE_bool(ceres_nonmonotonic, false, "Let ceres take steps that raise the cost for a while.");
-DEFINE_bool(ceres_jacobi_scaling, true, "Let ceres scale the columns of the Jacobian.");
-DEFINE_double(ceres_gradient_tolerance, 1e-10, "Gradient below which ceres has converged.");
-DEFINE_double(ceres_parameter_tolerance, 1e-8, "Relative step below which ceres has converged.");
-DEFINE_int32(ceres_threads, 1, "Threads of ceres.");
+              "Initial trust region radius of ceres; 1e16 is nearly Gauss-Newton.");
+DEFINE_bool(ceres_nonmonotonic, false, "Ceres may take steps that raise the cost for a while.");
+DEFINE_bool(ceres_jacobi_scaling, true, "Ceres scales the columns of the Jacobian.");
+DEFINE_double(ceres_gradient_tolerance, 1e-10,
+              "Ceres has converged when the largest component of the gradient is below this.");
+DEFINE_double(ceres_parameter_tolerance, 1e-8,
+              "Ceres has converged when a step is below this part of the parameters.");
+DEFINE_int32(ceres_threads, 1, "Number of threads of ceres.");
 
 namespace gmapping_spa::apps {
 namespace {

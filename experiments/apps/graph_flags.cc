@@ -13,51 +13,69 @@ const auto& kCloser = kSlam.loop_closer;
 }  // namespace
 
 DEFINE_string(edge_measurement, "scan_odometry",
-              "What an edge between successive nodes measures: the scan_odometry (if there is one, "
-              "see --odometry), or the step of the best particle.");
+              "What an edge between successive nodes of the pose graph measures: scan_odometry "
+              "(the motion that matching every scan found; with --odometry=raw or wheel as "
+              "particle) or particle (the step of the best particle).");
 DEFINE_string(edge_information, "proposal",
-              "How sure it is of that: proposal (inverse of the covariance of eq. 12), hessian (of "
-              "scan matching), constant.");
+              "Information matrix of an edge between successive nodes: proposal (inverse of the "
+              "covariance of eq. 12), hessian (of the scan match) or constant.");
 
-DEFINE_bool(loop_closure, kSlam.close_loops, "Look for loop closures.");
+DEFINE_bool(loop_closure, kSlam.close_loops,
+            "Look for loop closures and add them to the pose graph.");
 DEFINE_double(closure_min_way_m, kCloser.candidates.min_way_m,
-              "Nodes nearer than this along the graph are no candidates for a closure.");
+              "Loop closures: path length in m from one node to the other, the shortest way "
+              "through the graph, from which on they may be closed.");
 DEFINE_double(closure_max_distance_m, kCloser.candidates.max_distance_m,
-              "Nor are nodes farther apart than this and three times the drift.");
-DEFINE_double(closure_drift_m_per_m, kCloser.drift.m_per_m,
-              "Drift expected, a standard deviation, per metre of way.");
-DEFINE_double(closure_drift_rad_per_m, kCloser.drift.rad_per_m, "Likewise of the heading.");
+              "Loop closures near the estimate: largest distance in m between two nodes, to which "
+              "three standard deviations of the drift between them are added.");
+DEFINE_double(
+    closure_drift_m_per_m, kCloser.drift.m_per_m,
+    "Loop closures: standard deviation of the drift of the position expected, in m per m driven.");
+DEFINE_double(
+    closure_drift_rad_per_m, kCloser.drift.rad_per_m,
+    "Loop closures: standard deviation of the drift of the heading expected, in rad per m driven.");
 DEFINE_bool(closure_everywhere, kCloser.search_everywhere,
-            "Look for closures in the whole map by the look of places, however large the drift.");
+            "Loop closures: look in the whole map for places that look alike as well (place "
+            "recognition), however large the drift. Without it, near the estimate only.");
 DEFINE_double(closure_min_score, kCloser.verifier.search.min_score,
-              "Correlative score (0 to 1) that a closure needs.");
+              "Loop closures: least score, 0 to 1, of correlative scan matching.");
 DEFINE_double(closure_max_second_score, kCloser.verifier.max_second_score,
-              "A closure is ambiguous if another pose scores this part of the best.");
+              "Loop closures: a match is ambiguous, and refused, where another pose scores more "
+              "than this part, 0 to 1, of the best score.");
 DEFINE_double(closure_min_overlap, kCloser.verifier.min_overlap,
-              "Part of the end points that must lie in the known part of the old map.");
+              "Loop closures: least part, 0 to 1, of the new end points that must lie in the known "
+              "part of the old local map.");
 DEFINE_double(closure_min_fit, kCloser.verifier.min_fit,
-              "Part of those that the old map must explain.");
+              "Loop closures: least part, 0 to 1, of the new end points in the known part of the "
+              "old local map that must end at its obstacles.");
 DEFINE_double(closure_information_gain, kCloser.verifier.information_gain,
-              "Factor of a closure's information: its points are not independent.");
+              "Loop closures: factor on the information matrix of the scan match, since "
+              "neighboring beams share their errors.");
 
 DEFINE_int32(optimize_every, kSlam.optimize_every,
-             "The back end runs each time that this many new poses came in (and after closures).");
-DEFINE_string(
-    graph_thread, "lockstep",
-    "When its result is taken over: lockstep (a fixed number of scans later: repeatable), "
-    "async (when it is there), inline (with the next scan).");
-DEFINE_int32(lockstep_scans, kSlam.graph_thread.lockstep_scans, "That number of scans.");
+             "The back end optimizes the pose graph each time that this many nodes were added, and "
+             "after each loop closure.");
+DEFINE_string(graph_thread, "lockstep",
+              "When the filter takes over what the back end, in a thread of its own, found: "
+              "lockstep (--lockstep_scans after it was started: the same results every time), "
+              "async (as soon as it is there) or inline (at the next scan, for which it waits).");
+DEFINE_int32(lockstep_scans, kSlam.graph_thread.lockstep_scans,
+             "With --graph_thread=lockstep, number of scans from the start of an optimization to "
+             "when its result is taken over.");
 DEFINE_double(graph_timeout_s, kSlam.graph_thread.timeout_s,
-              "A back end that is due is waited for no longer than this (at the end: ten times).");
-DEFINE_string(correction, "trajectory",
-              "What is corrected of the particles (eq. 14): pose (the current one, as the paper "
-              "writes it), trajectory (the whole history, and the maps).");
+              "Longest time in s to wait for the back end when its result is due; ten times as "
+              "long after the last scan. Then the run goes on without it, and says so.");
+DEFINE_string(
+    correction, "trajectory",
+    "What an optimized graph moves of each particle (eq. 14): pose (its current pose, as the paper "
+    "writes it) or trajectory (its whole trajectory, and its map is built anew).");
 
 DEFINE_bool(final_round, kSlam.make_final_round,
-            "After the last scan: closures everywhere, optimization, the map from all scans.");
-DEFINE_int32(refine, kSlam.final_round.refine,
-             "Rounds of aligning all scans with the map in the final round, alternated with the "
-             "back end.");
+            "After the last scan, look for loop closures of all nodes, optimize, align all scans "
+            "with the map (--refine) and build the map from all scans.");
+DEFINE_int32(
+    refine, kSlam.final_round.refine,
+    "Number of times that the final round aligns all scans with the map and optimizes; 0: never.");
 
 namespace gmapping_spa::apps {
 namespace {

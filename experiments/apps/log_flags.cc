@@ -14,18 +14,29 @@ const gmapping_spa::sensor::LogOptions kDefaults;
 }
 
 DEFINE_double(usable_range_m, kDefaults.usable_range_m,
-              "A range this long or longer is no return: a fact of the sensor.");
-DEFINE_double(range_min_m, kDefaults.range_min_m, "A range shorter than this is invalid.");
-DEFINE_string(fov_deg, "", "Angle from the first beam to the last, instead of the log's.");
-DEFINE_string(angle_min_deg, "", "Angle of the first beam, instead of the log's.");
+              "A range this long in m or longer counts as no return.");
+DEFINE_double(range_min_m, kDefaults.range_min_m,
+              "A range shorter than this in m is invalid, and its beam is left out.");
+DEFINE_string(fov_deg, "",
+              "Field of view in degrees, from the first beam to the last, instead of the log's. "
+              "Empty: the log's.");
+DEFINE_string(angle_min_deg, "",
+              "Angle in degrees of the first beam, in the laser's frame, instead of the log's. "
+              "Empty: the log's.");
 DEFINE_string(laser_pose, "",
-              "Pose x,y,theta (m, m, rad) of the laser on the robot, instead of "
+              "Pose x,y,theta (m, m, rad) of the laser on the robot, instead of the log's. Empty: "
               "the log's.");
-DEFINE_bool(laser_flipped, kDefaults.flipped, "The laser is mounted upside down.");
-DEFINE_double(reorder_window_s, kDefaults.reorder_window_s,
-              "Records are put in order of time when they are at most this late.");
-DEFINE_double(gap_s, kDefaults.gap_s, "A longer time between two scans is counted as a gap.");
-DEFINE_string(bad_record, "skip", "What to do about records that cannot be used: skip or fail.");
+DEFINE_bool(laser_flipped, kDefaults.flipped,
+            "The laser is mounted upside down: beam angles change their sign.");
+DEFINE_double(
+    reorder_window_s, kDefaults.reorder_window_s,
+    "Records are put in the order of their stamps where they are at most this late, in s; one "
+    "that is later is taken for a clock that was set back.");
+DEFINE_double(gap_s, kDefaults.gap_s,
+              "A longer time in s between two scans is counted and reported as a gap.");
+DEFINE_string(bad_record, "skip",
+              "What to do about records of the log that cannot be used: skip (and count them) or "
+              "fail (at the first one, with its line number).");
 
 namespace gmapping_spa::apps {
 namespace {

@@ -17,10 +17,11 @@ const gmapping_spa::scan_matching::GaussNewton::Options kGaussNewton;
 const gmapping_spa::scan_matching::EndpointModel::Options kEndpoint;
 }  // namespace
 
-DEFINE_int32(particles, kSlam.filter.particles, "Number of particles.");
-DEFINE_uint64(seed, kSlam.filter.seed, "Seed of all random numbers.");
+DEFINE_int32(particles, kSlam.filter.particles, "Number of particles of the filter.");
+DEFINE_uint64(seed, kSlam.filter.seed,
+              "Seed of all random numbers: the same input, flags and seed give the same results.");
 DEFINE_int32(threads, kSlam.filter.threads,
-             "Threads for the particles; the results do not depend on it.");
+             "Number of threads for the particles; the results do not depend on it.");
 
 DEFINE_double(linear_update_m, kSlam.linear_update_m,
               "The filter is updated after this much driving, m; with scans of fewer than 90 beams "
@@ -29,8 +30,9 @@ DEFINE_double(
     angular_update_rad, kSlam.angular_update_rad,
     "The filter is updated after this much turning, rad; with scans of fewer than 90 beams "
     "sooner, as with --linear_update_m.");
-DEFINE_double(resample_threshold, kSlam.filter.resample_threshold,
-              "Resample when N_eff is below this part of the number of particles.");
+DEFINE_double(
+    resample_threshold, kSlam.filter.resample_threshold,
+    "Particles are resampled when N_eff falls below this part, 0 to 1, of their number (eq. 17).");
 DEFINE_string(
     odometry, "scan_matched",
     "Control input of the filter: raw (the log's odometry, right or wrong, as GMapping takes it), "
@@ -55,25 +57,32 @@ DEFINE_string(proposal, "gaussian",
               "the Gaussian of scan and odometry around the match, and weighted by its integral) "
               "or match (the match itself, weighted by its likelihood, as GMapping's program "
               "does).");
-DEFINE_double(obs_sigma_gain, kSlam.filter.obs_sigma_gain,
-              "Weights are flattened by the exponent 1 / (this * particles).");
+DEFINE_double(
+    obs_sigma_gain, kSlam.filter.obs_sigma_gain,
+    "Weights of particles are flattened by the exponent 1 / (gain * number of particles), so that "
+    "neighboring beams are not counted as independent; GMapping's ogain.");
 
-DEFINE_double(resolution_m, kSlam.filter.grid.resolution_m, "Size of a map cell.");
+DEFINE_double(resolution_m, kSlam.filter.grid.resolution_m, "Size of a map cell, m.");
 DEFINE_double(full_threshold, kSlam.filter.grid.full_threshold,
-              "A cell with more than this part of hits is an obstacle for scan matching.");
+              "For scan matching, a cell is an obstacle when more than this part, 0 to 1, of the "
+              "beams that met it ended in it. 0: one hit makes it so for ever.");
 DEFINE_double(occupied_threshold, 0.25,
-              "A cell with more than this part of hits is occupied in the map written.");
+              "In the map written, a cell is occupied when more than this part, 0 to 1, of the "
+              "beams that met it ended in it.");
 DEFINE_bool(no_return_clears, kSlam.filter.registration.no_return_clears,
-            "Beams without return clear the map up to the usable range.");
+            "Beams without return mark the map as free up to --usable_range_m.");
 
-DEFINE_double(match_linear_step_m, kHillClimbing.linear_step_m, "First step of hill climbing.");
+DEFINE_double(match_linear_step_m, kHillClimbing.linear_step_m,
+              "First step of hill climbing in the position, m.");
 DEFINE_double(match_angular_step_rad, kHillClimbing.angular_step_rad,
-              "First step of hill climbing.");
-DEFINE_int32(match_halvings, kHillClimbing.halvings, "How often hill climbing halves its steps.");
+              "First step of hill climbing in the heading, rad.");
+DEFINE_int32(match_halvings, kHillClimbing.halvings,
+             "Number of times that hill climbing halves its steps before it ends.");
 DEFINE_double(match_noise_m, kGaussNewton.noise_sigma_m,
-              "Standard deviation of a beam's end point in Gauss-Newton matching.");
+              "Standard deviation in m of a beam's end point in Gauss-Newton scan matching.");
 DEFINE_double(match_robust_sigmas, kGaussNewton.robust_sigmas,
-              "Width of the Cauchy weight of a beam in Gauss-Newton matching.");
+              "Gauss-Newton scan matching lowers the weight of a beam (Cauchy) from this many "
+              "standard deviations on.");
 DEFINE_double(match_min_score, kHillClimbing.min_score,
               "A particle's scan match with a mean score a beam (0 to 1) below this has failed.");
 DEFINE_double(score_sigma_m, kEndpoint.score_sigma_m,
@@ -88,14 +97,16 @@ DEFINE_string(likelihood, "surface",
               "surface (to the surface that hits nearby form) or nearest_hit (to the nearest hit "
               "within a cell, as in GMapping).");
 DEFINE_double(likelihood_sigma_m, kEndpoint.likelihood_sigma_m,
-              "Standard deviation of a beam's end point in the likelihood.");
+              "Standard deviation in m of a beam's end point in the likelihood.");
 DEFINE_double(likelihood_gain, kEndpoint.likelihood_gain,
-              "Exponent of the likelihood of a scan: less than 1 as beams are not independent.");
+              "Exponent of the likelihood of a scan, 0 to 1: less than 1, since neighboring beams "
+              "share their errors.");
 DEFINE_bool(unseen_is_miss, kEndpoint.unseen_is_miss,
             "For weights and proposals, a beam that ends where no beam has been yet counts as one "
             "that does not fit the map, as in GMapping; else as one that says nothing.");
 DEFINE_double(unmatched_sigmas, kEndpoint.unmatched_sigmas,
-              "A beam that the map does not explain counts as this far off.");
+              "In the likelihood, a beam that the map does not explain counts as this many "
+              "standard deviations off.");
 
 DEFINE_string(motion_noise, "update",
               "Motion model: noise is added to the motion between two updates as a whole (update) "
