@@ -2,6 +2,7 @@
 
 #include <gflags/gflags.h>
 #include <glog/logging.h>
+#include <malloc.h>
 
 #include <atomic>
 #include <csignal>
@@ -46,6 +47,15 @@ void InstallSignalHandlers() {
   sigaction(SIGXFSZ, &action, nullptr);
 }
 
+// Loop closing and scan matching ask for megabytes again and again. By default the C library
+// returns them to the system each time, which then clears every page anew: a fifth of the CPU time.
+void KeepFreedMemory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most that it takes
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+#endif
+}
+
 // Prints the flags of the program without those of gflags and glog: the ones defined next to this
 // file.
 void PrintHelp(const std::string& program) {
@@ -87,6 +97,7 @@ int RunApp(int argc, char** argv, const char* usage, const std::function<void()>
   gflags::HandleCommandLineHelpFlags();
   google::InitGoogleLogging(argv[0]);
   InstallSignalHandlers();
+  KeepFreedMemory();
   int status = 0;
   try {
     if (argc > 1) {

@@ -14,18 +14,26 @@ void RaiseTo(const std::uint8_t* values, std::size_t count, std::uint8_t* target
 
 // At each cell the maximum of `grid` there, `shift` cells to the right, above, and both.
 ByteGrid MaxOfShifted(const ByteGrid& grid, int shift) {
+  const auto up = static_cast<unsigned>(shift);
   ByteGrid result;
   result.min = {grid.min.x - shift, grid.min.y - shift};
-  result.columns = grid.columns + static_cast<unsigned>(shift);
-  result.rows = grid.rows + static_cast<unsigned>(shift);
-  result.values.assign(static_cast<std::size_t>(result.columns) * result.rows, 0);
+  result.columns = grid.columns + up;
+  result.rows = grid.rows + up;
+  // Appended row by row: clearing a large grid before it is written costs as much as all the rest.
+  result.values.clear();
+  result.values.reserve(static_cast<std::size_t>(result.columns) * result.rows);
   std::vector<std::uint8_t> row_max(result.columns);
-  for (unsigned row = 0; row < grid.rows; ++row) {
+  for (unsigned row = 0; row < result.rows; ++row) {
     std::fill(row_max.begin(), row_max.end(), std::uint8_t{0});
-    RaiseTo(grid.RowValues(row), grid.columns, row_max.data());
-    RaiseTo(grid.RowValues(row), grid.columns, row_max.data() + shift);
-    RaiseTo(row_max.data(), row_max.size(), result.RowValues(row));
-    RaiseTo(row_max.data(), row_max.size(), result.RowValues(row + static_cast<unsigned>(shift)));
+    if (row < grid.rows) {
+      RaiseTo(grid.RowValues(row), grid.columns, row_max.data());
+      RaiseTo(grid.RowValues(row), grid.columns, row_max.data() + shift);
+    }
+    result.values.insert(result.values.end(), row_max.begin(), row_max.end());
+  }
+  // From above, so that the row below has not been raised yet.
+  for (unsigned row = result.rows - 1; row >= up; --row) {
+    RaiseTo(result.RowValues(row - up), result.columns, result.RowValues(row));
   }
   return result;
 }
