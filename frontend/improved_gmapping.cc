@@ -36,7 +36,7 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
   counts_.searched += motion.searched ? 1 : 0;
   const SE2 odom_T_before = odom_T_scan_;
   odom_T_scan_ = odom_T_scan_ * u;
-  increments_since_update_.push_back(u);
+  if (options_.filter.motion.noise_at_each_scan) increments_since_update_.push_back(u);
   noise_since_update_ = std::max(noise_since_update_, motion.noise);
   area_.Extend(scan, odom_T_scan_);
   archive_.Add(scan);
@@ -65,7 +65,7 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
     const SE2 up_to_here = Between(odom_T_last_update_, odom_T_before);
     for (ParticleFilter::Control& control : controls) {
       control.increments = increments_since_update_;
-      control.increments.back() = control.motion;
+      if (!control.increments.empty()) control.increments.back() = control.motion;
       control.motion = up_to_here * control.motion;
     }
     UpdateFilter(scan, controls);
@@ -95,7 +95,8 @@ void ImprovedGmapping::BeginPiece(int scans) {
   ++updates_since_optimization_;
   odom_T_last_update_ = odom_T_first;
   const SE2 since = Between(odom_T_first, odom_T_scan_);
-  increments_since_update_ = {since};
+  increments_since_update_.clear();
+  if (options_.filter.motion.noise_at_each_scan) increments_since_update_.push_back(since);
   linear_since_update_m_ = since.translation().norm();
   angular_since_update_rad_ = std::abs(since.theta);
 }

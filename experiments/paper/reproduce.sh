@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The paper's experiments and ours around them: installs what is missing, builds, runs, reports.
 #   experiments/paper/reproduce.sh [--quick] [-j N] [--work_dir DIR] [--world FILE ...]
-#     --quick      two seeds on a short tour: shows in minutes that everything runs
+#     --quick      one seed on a short tour: shows in minutes that everything runs
 #     -j N         runs side by side; default: one a core
 #     --work_dir   results; default: out/paper, with --quick out/paper_quick
 #     --world      a world of your own (experiments/simulation/README.md) instead of the paper's building;
