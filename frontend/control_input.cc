@@ -22,7 +22,13 @@ ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
     ReportFault(wheels, scan.stamp_s);
   }
   ReportBlind(scan);
-  if (options_.source == OdometrySource::kRaw) return AsLogged(scan);
+  if (options_.source == OdometrySource::kRaw) {
+    if (stand_still_.IsContradicted(scan, wheels.fault == OdometryFault::kUnchanged)) {
+      health_->Report("odometry_silent", scan.stamp_s,
+                      "the odometry stands still while the scans change; it is used all the same");
+    }
+    return AsLogged(scan);
+  }
   ScanMotion motion = scan_odometry_.Advance(scan, wheels);
   if (options_.source == OdometrySource::kWheel) {
     if (motion.wheels_rejected || motion.wheels_silent) {

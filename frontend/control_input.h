@@ -10,6 +10,7 @@
 #include "frontend/scan_odometry.h"
 #include "frontend/sensor/laser_scan.h"
 #include "frontend/sensor/odometry_check.h"
+#include "frontend/stand_still.h"
 
 namespace gmapping_spa::frontend {
 
@@ -49,6 +50,7 @@ class ControlInput {
   sensor::OdometryCheck check_;
   ScanOdometry scan_odometry_;
   std::optional<backend::SE2> odom_T_previous_;  // of kRaw: what the log last said
+  StandStill stand_still_;                       // of kRaw
   bool has_seen_ = false;                        // any obstacle so far
   std::vector<double> blind_stamps_s_;           // of scans without a hit that are not reported yet
 };

@@ -117,6 +117,10 @@ ParticleFilter::Control ImprovedGmapping::ControlSinceUpdate() const {
 void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan,
                                     const std::vector<ParticleFilter::Control>& controls) {
   if (counts_.updates == 0) {
+    if (ParticleFilter::AreAllAlike(options_.filter)) {
+      health_.Report("particles_alike", scan.stamp_s,
+                     "the flags leave nothing to chance: all particles are copies of one");
+    }
     filter_.Start(scan, SE2{});
   } else {
     for (const particle_filter::Particle& particle : filter_.particles()) {

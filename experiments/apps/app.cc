@@ -23,9 +23,9 @@ namespace gmapping_spa::apps {
 namespace {
 
 // Never destroyed: other code may ask at the end of the process.
-std::vector<std::string>& Overrides() {
-  static auto& overrides = *new std::vector<std::string>;
-  return overrides;
+ParsedFlags& Parsed() {
+  static auto& parsed = *new ParsedFlags;
+  return parsed;
 }
 
 std::atomic<bool> interrupted = false;
@@ -84,7 +84,12 @@ int RunApp(int argc, char** argv, const char* usage, const std::function<void()>
   // Defaults, so that flags still override them.
   gflags::SetCommandLineOptionWithMode("logtostderr", "true", gflags::SET_FLAGS_DEFAULT);
   gflags::SetCommandLineOptionWithMode("minloglevel", "1", gflags::SET_FLAGS_DEFAULT);
-  const ParsedFlags parsed = ParseFlags(&argc, &argv);
+  try {
+    Parsed() = ParseFlags(&argc, &argv);
+  } catch (const std::exception& error) {
+    std::cerr << program << ": error: " << error.what() << '\n';
+    return 1;
+  }
   // gflags' own --help lists the flags of all libraries and ends with status 1.
   if (FLAGS_help || FLAGS_helpshort) {
     PrintHelp(program);
@@ -104,8 +109,9 @@ int RunApp(int argc, char** argv, const char* usage, const std::function<void()>
       throw std::runtime_error("expected flags only, found '" + std::string(argv[1]) +
                                "' (--help lists the flags)");
     }
-    Overrides() = DescribeOverrides(parsed);
-    for (const std::string& line : Overrides()) std::cerr << program << ": " << line << '\n';
+    for (const std::string& line : Parsed().overrides) {
+      std::cerr << program << ": " << line << '\n';
+    }
     run();
     // What was printed is complete only when it has reached the device.
     if (!std::cout.flush()) throw std::runtime_error("cannot write to the standard output");
@@ -123,7 +129,9 @@ int RunApp(int argc, char** argv, const char* usage, const std::function<void()>
   return status;
 }
 
-const std::vector<std::string>& FlagOverrides() { return Overrides(); }
+const std::vector<std::string>& FlagFiles() { return Parsed().flag_files; }
+
+const std::vector<std::string>& FlagOverrides() { return Parsed().overrides; }
 
 void ThrowIfInterrupted() {
   if (interrupted) throw Interrupted("interrupted by a signal");

@@ -22,6 +22,9 @@ struct Interrupted : std::runtime_error {
 // a line of a --flagfile is not known; 130 when it was interrupted.
 int RunApp(int argc, char** argv, const char* usage, const std::function<void()>& run);
 
+// The files that --flagfile names, in the order in which they count.
+const std::vector<std::string>& FlagFiles();
+
 // What RunApp said about flags that the command line overrides, a line each.
 const std::vector<std::string>& FlagOverrides();
 

@@ -3,7 +3,9 @@
 #include <gflags/gflags.h>
 
 #include <filesystem>
+#include <map>
 #include <sstream>
+#include <stdexcept>
 #include <string_view>
 
 #include "experiments/apps/flag_files.h"
@@ -11,61 +13,70 @@
 namespace gmapping_spa::apps {
 namespace {
 
-// Parses these words, the first of which names the program; returns those that are not flags.
-std::vector<char*> ParseWords(std::vector<char*> words) {
-  int count = static_cast<int>(words.size());
-  words.push_back(nullptr);
-  char** begin = words.data();
-  gflags::ParseCommandLineNonHelpFlags(&count, &begin, /*remove_flags=*/true);
-  return {begin, begin + count};
+// What a file made of a flag.
+struct Setting {
+  std::string current_value;
+  FlagOfFile of_file;
+};
+
+void Set(const FlagOfFile& flag) {
+  if (!gflags::SetCommandLineOption(flag.name.c_str(), flag.value.c_str()).empty()) return;
+  const std::string type = gflags::GetCommandLineFlagInfoOrDie(flag.name.c_str()).type;
+  throw std::runtime_error(flag.place + ": --" + flag.name + ": expected a value of type " + type +
+                           ", found '" + flag.value + "'");
+}
+
+std::string DescribeOverride(const gflags::CommandLineFlagInfo& flag, const FlagOfFile& of_file) {
+  const std::string path = of_file.place.substr(0, of_file.place.rfind(':'));
+  return "--" + flag.name + "=" + ShortValue(flag.type, flag.current_value) +
+         " (command line) wins over " + of_file.value + " of " +
+         std::filesystem::path(path).filename().string();
+}
+
+// Takes the --flagfile=... and "--flagfile ..." out of the words.
+std::vector<std::string> TakeFlagFiles(std::vector<char*>* words) {
+  constexpr std::string_view kPrefix = "flagfile=";
+  std::vector<std::string> files;
+  std::vector<char*> others;
+  bool flags_end = false;
+  for (std::size_t k = 0; k < words->size(); ++k) {
+    const std::string word = (*words)[k], flag = WithoutDashes(word);
+    flags_end |= word == "--";
+    if (!flags_end && flag.starts_with(kPrefix)) {
+      files.push_back(flag.substr(kPrefix.size()));
+    } else if (!flags_end && flag == "flagfile" && k + 1 < words->size()) {
+      files.emplace_back((*words)[++k]);
+    } else {
+      others.push_back((*words)[k]);
+    }
+  }
+  *words = others;
+  return files;
 }
 
 }  // namespace
 
 ParsedFlags ParseFlags(int* argc, char*** argv) {
-  constexpr std::string_view kPrefix = "flagfile=";
-  ParsedFlags parsed;
-  std::vector<char*> of_files = {(*argv)[0]}, others = {(*argv)[0]};
-  bool flags_end = false;
-  for (int k = 1; k < *argc; ++k) {
-    const std::string word = (*argv)[k], flag = WithoutDashes(word);
-    flags_end |= word == "--";
-    if (!flags_end && flag.starts_with(kPrefix)) {
-      of_files.push_back((*argv)[k]);
-      parsed.flag_files.push_back(flag.substr(kPrefix.size()));
-    } else if (!flags_end && flag == "flagfile" && k + 1 < *argc) {
-      of_files.push_back((*argv)[k]);
-      of_files.push_back((*argv)[++k]);
-      parsed.flag_files.emplace_back((*argv)[k]);
-    } else {
-      others.push_back((*argv)[k]);
-    }
+  std::vector<char*> words(*argv, *argv + *argc);
+  ParsedFlags parsed{.flag_files = TakeFlagFiles(&words), .overrides = {}};
+  std::map<std::string, Setting> settings;
+  for (const FlagOfFile& flag : ReadFlagFiles(parsed.flag_files)) {
+    Set(flag);
+    settings[flag.name] = {gflags::GetCommandLineFlagInfoOrDie(flag.name.c_str()).current_value,
+                           flag};
   }
-  ParseWords(of_files);
-  std::vector<gflags::CommandLineFlagInfo> flags;
-  gflags::GetAllFlags(&flags);
-  for (const gflags::CommandLineFlagInfo& flag : flags) {
-    parsed.file_values[flag.name] = flag.current_value;
-  }
-  // Or gflags would read the last file once more.
-  gflags::SetCommandLineOption("flagfile", "");
-  const std::vector<char*> rest = ParseWords(others);
-  *argc = static_cast<int>(rest.size());
-  for (int k = 0; k < *argc; ++k) (*argv)[k] = rest[k];
-  (*argv)[*argc] = nullptr;
-  return parsed;
-}
-
-std::vector<std::string> DescribeOverrides(const ParsedFlags& parsed) {
-  std::vector<std::string> lines;
-  for (const auto& [name, of_file] : ReadFlagFiles(parsed.flag_files)) {
+  int count = static_cast<int>(words.size());
+  words.push_back(nullptr);
+  char** begin = words.data();
+  gflags::ParseCommandLineNonHelpFlags(&count, &begin, /*remove_flags=*/true);
+  *argc = count;
+  for (int k = 0; k <= count; ++k) (*argv)[k] = k < count ? begin[k] : nullptr;
+  for (const auto& [name, setting] : settings) {
     const gflags::CommandLineFlagInfo flag = gflags::GetCommandLineFlagInfoOrDie(name.c_str());
-    if (flag.current_value == parsed.file_values.at(name)) continue;
-    lines.push_back("--" + name + "=" + ShortValue(flag.type, flag.current_value) +
-                    " (command line) wins over " + of_file.value + " of " +
-                    std::filesystem::path(of_file.path).filename().string());
+    if (flag.current_value == setting.current_value) continue;
+    parsed.overrides.push_back(DescribeOverride(flag, setting.of_file));
   }
-  return lines;
+  return parsed;
 }
 
 std::string ShortValue(const std::string& type, const std::string& value) {

@@ -21,7 +21,8 @@ bool IsOwnFlag(const gflags::CommandLineFlagInfo& flag) {
 Json FlagValue(const gflags::CommandLineFlagInfo& flag) {
   if (flag.type == "bool") return flag.current_value == "true";
   if (flag.type == "string") return flag.current_value;
-  return Json::parse(flag.current_value, nullptr, /*allow_exceptions=*/false);
+  const Json number = Json::parse(flag.current_value, nullptr, /*allow_exceptions=*/false);
+  return number.is_number() ? number : Json(flag.current_value);  // nan and inf
 }
 
 Json ResultFlags() {
@@ -59,6 +60,7 @@ Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping
         {"eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) +
                       "." + std::to_string(EIGEN_MINOR_VERSION)}}},
       {"flags", ResultFlags()},
+      {"flag_files", FlagFiles()},
       {"flag_overrides", FlagOverrides()},
       {"input", input},
       {"counts",

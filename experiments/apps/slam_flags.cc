@@ -144,15 +144,19 @@ double Positive(const char* name, double value) { return InRange(name, value, 1e
 
 double NotNegative(const char* name, double value) { return InRange(name, value, 0.0, 1e6); }
 
+// Standard deviations of a motion: more would throw particles out of every map.
+double MotionNoise(const char* name, double value) { return InRange(name, value, 0.0, 10.0); }
+
 scan_matching::GaussNewton::Options GaussNewtonOptionsFromFlags() {
   return {.noise_sigma_m = InRange("match_noise_m", FLAGS_match_noise_m, 1e-3, 100.0),
           .robust_sigmas = Positive("match_robust_sigmas", FLAGS_match_robust_sigmas)};
 }
 
 scan_matching::HillClimbing::Options HillClimbingOptionsFromFlags() {
-  return {.linear_step_m = Positive("match_linear_step_m", FLAGS_match_linear_step_m),
-          .angular_step_rad = Positive("match_angular_step_rad", FLAGS_match_angular_step_rad),
-          .halvings = InRange("match_halvings", FLAGS_match_halvings, 0, 50),
+  return {.linear_step_m = InRange("match_linear_step_m", FLAGS_match_linear_step_m, 1e-3, 10.0),
+          .angular_step_rad =
+              InRange("match_angular_step_rad", FLAGS_match_angular_step_rad, 1e-4, 3.0),
+          .halvings = InRange("match_halvings", FLAGS_match_halvings, 0, 20),
           .min_score = NotNegative("match_min_score", FLAGS_match_min_score)};
 }
 
@@ -190,17 +194,18 @@ frontend::ImprovedGmapping::Options SlamOptionsFromFlags() {
   filter.registration.no_return_clears = FLAGS_no_return_clears;
   filter.endpoint = EndpointOptionsFromFlags();
   filter.motion = {
-      .linear_per_linear = NotNegative("motion_linear_per_linear", FLAGS_motion_linear_per_linear),
+      .linear_per_linear = MotionNoise("motion_linear_per_linear", FLAGS_motion_linear_per_linear),
       .linear_per_angular =
-          NotNegative("motion_linear_per_angular", FLAGS_motion_linear_per_angular),
+          MotionNoise("motion_linear_per_angular", FLAGS_motion_linear_per_angular),
       .lateral_per_linear =
-          NotNegative("motion_lateral_per_linear", FLAGS_motion_lateral_per_linear),
+          MotionNoise("motion_lateral_per_linear", FLAGS_motion_lateral_per_linear),
       .angular_per_linear =
-          NotNegative("motion_angular_per_linear", FLAGS_motion_angular_per_linear),
+          MotionNoise("motion_angular_per_linear", FLAGS_motion_angular_per_linear),
       .angular_per_angular =
-          NotNegative("motion_angular_per_angular", FLAGS_motion_angular_per_angular),
-      .linear_floor_m = Positive("motion_linear_floor_m", FLAGS_motion_linear_floor_m),
-      .angular_floor_rad = Positive("motion_angular_floor_rad", FLAGS_motion_angular_floor_rad),
+          MotionNoise("motion_angular_per_angular", FLAGS_motion_angular_per_angular),
+      .linear_floor_m = InRange("motion_linear_floor_m", FLAGS_motion_linear_floor_m, 1e-6, 10.0),
+      .angular_floor_rad =
+          InRange("motion_angular_floor_rad", FLAGS_motion_angular_floor_rad, 1e-6, 3.0),
       .noise_at_each_scan =
           OneOf<bool>("motion_noise", FLAGS_motion_noise, {{"update", false}, {"scan", true}})};
   options.control.scan_odometry.prior.max_speed_m_s = check.max_speed_m_s;
@@ -221,13 +226,14 @@ frontend::ImprovedGmapping::Options SlamOptionsFromFlags() {
 std::shared_ptr<const scan_matching::ScanMatcher> ScanMatcherFromFlags() {
   const bool gauss_newton = OneOf<bool>("scan_matcher", FLAGS_scan_matcher,
                                         {{"hill_climbing", false}, {"gauss_newton", true}});
+  // Checked in any case: a bad value is a mistake, used or not.
+  const scan_matching::HillClimbing::Options hill_climbing = HillClimbingOptionsFromFlags();
   if (gauss_newton) {
     scan_matching::GaussNewton::Options options = GaussNewtonOptionsFromFlags();
     options.min_score = NotNegative("match_min_score", FLAGS_match_min_score);
     return std::make_shared<scan_matching::GaussNewton>(options, EndpointOptionsFromFlags());
   }
-  return std::make_shared<scan_matching::HillClimbing>(HillClimbingOptionsFromFlags(),
-                                                       EndpointOptionsFromFlags());
+  return std::make_shared<scan_matching::HillClimbing>(hill_climbing, EndpointOptionsFromFlags());
 }
 
 scan_matching::EndpointModel::Options EndpointOptionsFromFlags() {

@@ -20,7 +20,7 @@ fail() {
 
 # A file that a flag names, as seen from the caller's folder.
 file_of() {
-  [[ -f $2 ]] || fail "$1=$2: no such file"
+  [[ -f $2 ]] || fail "$1=$2: expected a file"
   realpath "$2"
 }
 
@@ -40,16 +40,26 @@ while [[ $# -gt 0 ]]; do
     --world=* | --path=* | --obstacles=*)
       file=$(file_of "${1%%=*}" "${1#*=}")
       world+=("${1%%=*}=$file")
-      [[ $1 == --world=* ]] && name=paper_$(basename "${file%.*}")
+      if [[ $1 == --world=* ]]; then
+        name=$(basename "$file")
+        name=paper_${name%.*}
+      fi
       shift
       ;;
     --quick) quick=(--quick); shift ;;
-    -j) jobs=${2:?-j needs a number}; shift 2 ;;
-    --work_dir=*) work=$(realpath -m "${1#*=}"); shift ;;
+    -j) jobs=${2-}; shift $(($# > 1 ? 2 : 1)) ;;
+    -j*) jobs=${1#-j}; shift ;;
+    --work_dir=*)
+      work=${1#*=}
+      [[ -n $work && $work != -* ]] || fail "--work_dir: expected a folder, found '$work'"
+      work=$(realpath -m -- "$work")
+      shift
+      ;;
     -h | --help) usage; exit 0 ;;
     *) usage >&2; exit 1 ;;
   esac
 done
+[[ $jobs =~ ^[1-9][0-9]*$ ]] || fail "-j: expected a number from 1, found '$jobs'"
 [[ ${#world[@]} -eq 0 || $name != paper ]] || fail "--path and --obstacles need --world=FILE"
 cd "$(dirname "$0")/../.."
 work=${work:-$PWD/out/$name${quick:+_quick}}

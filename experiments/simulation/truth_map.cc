@@ -54,9 +54,10 @@ TrinaryMap TruthMap(const World& world, const Eigen::Vector2d& world_start, doub
       start.x() >= 0.0 && start.x() < raster.width && start.y() >= 0.0 && start.y() < raster.height;
   if (!inside ||
       raster.at(static_cast<int>(start.x()), static_cast<int>(start.y())) == CellState::kOccupied) {
-    throw std::runtime_error("truth map: expected a start in an empty cell, found (" +
-                             std::to_string(world_start.x()) + ", " +
-                             std::to_string(world_start.y()) + ")");
+    throw std::runtime_error(
+        "truth map: expected the tour to start in an empty cell of the world with its obstacles, "
+        "found (" +
+        std::to_string(world_start.x()) + ", " + std::to_string(world_start.y()) + ")");
   }
   const TrinaryMap fine = Explore(raster, static_cast<int>(start.x()), static_cast<int>(start.y()));
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -22,6 +23,9 @@
 
 namespace gmapping_spa::map {
 namespace {
+
+// Farther off, coordinates of cells lose their fractions.
+constexpr double kFarthestOrigin_m = 1e6;
 
 constexpr std::uint8_t kFreePixel = 254, kOccupiedPixel = 0, kUnknownPixel = 205;
 
@@ -135,14 +139,20 @@ TrinaryMap ReadMap(const std::string& yaml_path) {
   const YamlFile yaml(yaml_path);
   TrinaryMap map;
   map.resolution_m = yaml.Number("resolution");
-  if (map.resolution_m <= 0.0) {
+  if (!(map.resolution_m >= 0.001 && map.resolution_m <= 100.0)) {
     yaml.Fail(yaml.Get("resolution"),
-              "expected a positive resolution, found " + Exactly(map.resolution_m));
+              "expected a resolution from 0.001 to 100 m, found " + Exactly(map.resolution_m));
   }
   const std::vector<double> origin = yaml.Numbers(yaml.Get("origin"), 3, "the origin [x, y, 0]");
   if (origin[2] != 0.0) {
     yaml.Fail(yaml.Get("origin"),
               "expected a map that is not rotated (yaw 0), found yaw " + Exactly(origin[2]));
+  }
+  for (const double coordinate_m : {origin[0], origin[1]}) {
+    if (!(std::abs(coordinate_m) <= kFarthestOrigin_m)) {
+      yaml.Fail(yaml.Get("origin"), "expected an origin within " + Exactly(kFarthestOrigin_m) +
+                                        " m, found " + Exactly(coordinate_m));
+    }
   }
   map.origin_x_m = origin[0];
   map.origin_y_m = origin[1];

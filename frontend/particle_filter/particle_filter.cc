@@ -57,6 +57,12 @@ ParticleFilter::ParticleFilter(const Options& options,
   CHECK_GT(options.obs_sigma_gain, 0.0);
 }
 
+bool ParticleFilter::AreAllAlike(const Options& options) {
+  return options.particles > 1 && options.proposal == PoseSampling::Kind::kMatch &&
+         options.match_start.kind == MatchStart::Kind::kPrediction &&
+         options.match_start.guesses == 0;
+}
+
 void ParticleFilter::Start(const sensor::LaserScan& scan, const SE2& world_T_robot) {
   Particle first{.world_T_robot = world_T_robot,
                  .map = map::OccupancyGrid(options_.grid),

@@ -63,6 +63,10 @@ class ParticleFilter {
 
   ParticleFilter(const Options& options, std::shared_ptr<const scan_matching::ScanMatcher> matcher);
 
+  // Whether nothing is drawn at random, so that all particles are copies of one (but for what one
+  // scan cannot decide).
+  static bool AreAllAlike(const Options& options);
+
   // Starts all particles at `world_T_robot` with a map of this scan.
   void Start(const sensor::LaserScan& scan, const backend::SE2& world_T_robot);
 

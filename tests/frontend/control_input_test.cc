@@ -90,6 +90,18 @@ TEST_F(ControlInputInARoom, RawOdometryIsTakenWhateverItSays) {
               testing::HasSubstr("used all the same"));
 }
 
+TEST_F(ControlInputInARoom, RawOdometryThatStandsStillWhileTheRobotDrivesIsReported) {
+  Start(OdometrySource::kRaw);
+  DriveUpTo(20);
+  const SE2 stuck = ScanAt(20).odom_T_robot;
+  for (int k = 21; k < 40; ++k) {
+    sensor::LaserScan scan = ScanAt(k);
+    scan.odom_T_robot = stuck;
+    Take(scan);
+  }
+  EXPECT_EQ(Findings(), Kinds{"odometry_silent"});
+}
+
 TEST_F(ControlInputInARoom, RawOdometryOverScansWithoutComesWithTheNextOne) {
   Start(OdometrySource::kRaw);
   DriveUpTo(20);

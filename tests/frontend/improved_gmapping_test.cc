@@ -27,7 +27,8 @@ class PlainGmapping : public testing::Test {
     options.linear_update_m = linear_update_m;
     options.angular_update_rad = angular_update_rad;
     options.filter.particles = 3;
-    options.filter.match_start.guesses = 3;
+    options.filter.match_start.guesses = guesses_;
+    options.filter.proposal = proposal_;
     options.control.source = OdometrySource::kWheel;
     options.control.check.max_speed_m_s = max_speed_m_s_;
     options.close_loops = false;
@@ -66,6 +67,8 @@ class PlainGmapping : public testing::Test {
 
   const SE2 odom_T_world_{30, -20, 2.0};
   double max_speed_m_s_ = 10.0;
+  int guesses_ = 3;
+  particle_filter::PoseSampling::Kind proposal_ = particle_filter::PoseSampling::Kind::kGaussian;
   std::int64_t next_index_ = 0;
   std::unique_ptr<ImprovedGmapping> gmapping_;
 };
@@ -184,6 +187,17 @@ TEST_F(PlainGmapping, LeavesOutAStepThatNoRobotMakes) {
   EXPECT_LT(Log(Between(before, estimate.trajectory.back().world_T_robot)).norm(), 0.05);
   ASSERT_EQ(gmapping_->health().findings().count("odometry_impossible"), 1u);
   EXPECT_EQ(gmapping_->health().findings().at("odometry_impossible").first_stamp_s, 1.1);
+}
+
+TEST_F(PlainGmapping, ParticlesThatAreCopiesOfOneAreReported) {
+  proposal_ = particle_filter::PoseSampling::Kind::kMatch;
+  Start(0.5, 0.5);
+  Add({});
+  EXPECT_TRUE(gmapping_->health().findings().empty());
+  guesses_ = 0;
+  Start(0.5, 0.5);
+  Add({});
+  EXPECT_EQ(gmapping_->health().findings().count("particles_alike"), 1u);
 }
 
 TEST_F(PlainGmapping, RefusesOdometryThatLeadsOffTheMap) {

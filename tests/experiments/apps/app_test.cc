@@ -126,8 +126,39 @@ TEST(RunApp, RefusesMistakesInFlagFiles) {
   }
 }
 
-TEST(RunApp, AMissingFlagFileIsAnError) {
-  EXPECT_EXIT(Main({"--flagfile=/nowhere/at.all"}, Nothing), ExitedWithCode(1), "/nowhere/at.all");
+TEST(RunApp, ReadsFlagFilesThatOtherSystemsWrote) {
+  const TemporaryFolder folder;
+  const std::string path = folder.FileWith(
+      "windows.flags", "\xEF\xBB\xBF# Windows\r\n--particles=7 \r\n--noverbose-map\r\n");
+  EXPECT_EXIT(Main({"--flagfile=" + path},
+                   [] { std::exit(FLAGS_particles + (FLAGS_verbose_map ? 100 : 0)); }),
+              ExitedWithCode(7), "^$");
+}
+
+TEST(RunApp, RefusesBadValuesInFlagFilesWithTheirLine) {
+  const TemporaryFolder folder;
+  const std::string path = folder.FileWith("bad.flags", "\n--particles=many\n");
+  EXPECT_EXIT(Main({"--flagfile=" + path}, Nothing), ExitedWithCode(1),
+              "^tool: error: [^\n]*bad.flags:2: --particles: expected a value of type int32, found "
+              "'many'\n$");
+}
+
+TEST(RunApp, RefusesWhatIsNoFlagFile) {
+  const TemporaryFolder folder;
+  for (const std::string path : {"/nowhere/at.all", ".", "", "/dev/null"}) {
+    EXPECT_EXIT(Main({"--flagfile=" + path}, Nothing), ExitedWithCode(1),
+                "^tool: error: --flagfile: expected the path of a file, found '" + path + "'\n$");
+  }
+}
+
+TEST(RunApp, RefusesFlagFilesThatNameThemselves) {
+  const TemporaryFolder folder;
+  const std::string path = folder.FileWith("a.flags", "");
+  const std::string other = folder.FileWith("b.flags", "--flagfile=" + path + "\n");
+  folder.FileWith("a.flags", "--particles=4\n--flagfile=" + other + "\n");
+  EXPECT_EXIT(Main({"--flagfile=" + path}, Nothing), ExitedWithCode(1),
+              "^tool: error: [^\n]*b.flags:1: expected a file that does not name itself, found "
+              "[^\n]*\n$");
 }
 
 TEST(RunApp, SignalsInterruptAtTheNextItem) {

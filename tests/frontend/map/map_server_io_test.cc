@@ -142,7 +142,12 @@ TEST_F(MapServerIo, NamesFileAndLineOfABadKey) {
     std::string text = image + keys;
     return ErrorOf(text.replace(text.find(from), from.size(), to));
   };
-  EXPECT_EQ(with("0.1", "-1"), "map.yaml:2: expected a positive resolution, found -1");
+  for (const char* resolution : {"-1", "0", "1e-4", "1e5"}) {
+    EXPECT_THAT(with("0.1", resolution),
+                HasSubstr("map.yaml:2: expected a resolution from 0.001 to 100 m, found"));
+  }
+  EXPECT_THAT(with("[1.5, -2, 0]", "[1.5, -1e8, 0]"),
+              HasSubstr("map.yaml:3: expected an origin within 1e+06 m, found -1e+08"));
   EXPECT_EQ(with("0.1", "fine"), "map.yaml:2: expected a number for 'resolution', found 'fine'");
   EXPECT_THAT(with("0.1", ".nan"), StartsWith("map.yaml:2: expected a number"));
   EXPECT_EQ(with("-2, 0", "-2"), "map.yaml:3: expected the origin [x, y, 0], found a list of 2");
