@@ -78,8 +78,8 @@ class InAnotherWorldTest(workflow_test_case.WorkflowTestCase):
             f"--world={misspelt}", f"--path={self.folder / 'room.path.yaml'}"))
 
     def test_reproduce_refuses_files_that_are_not_there_before_it_builds(self):
-        for words, expected in ((["--world=no.yaml"], "--world=no.yaml: no such file"),
-                                (["--world", "no.yaml"], "--world=no.yaml: no such file"),
+        for words, expected in ((["--world=no.yaml"], "--world=no.yaml: expected a file"),
+                                (["--world", "no.yaml"], "--world=no.yaml: expected a file"),
                                 (["--world"], "--world needs a value"),
                                 ([f"--path={self.world}"], "need --world=FILE")):
             done = subprocess.run([PAPER / "reproduce.sh", *words], capture_output=True, text=True)
