@@ -46,7 +46,7 @@ void PrintSteps(const char* title, const Json& steps, std::ostream& out) {
 
 void PrintOdometry(const Json& odometry, std::ostream& out) {
   out << "\nOdometry: of " << odometry["scans"] << " scans, " << Fixed(odometry["path_m"], 1)
-      << " m of way, unchanged at " << odometry["unchanged_steps"] << " steps\n";
+      << " m driven, unchanged at " << odometry["unchanged_steps"] << " steps\n";
   for (const auto& [kind, fault] : odometry["faults"].items()) {
     out << "  " << kind << ": " << fault["count"] << " from " << Fixed(fault["first_s"], 3)
         << " to " << Fixed(fault["last_s"], 3) << " s\n";

@@ -60,16 +60,10 @@ class Fit {
 SE2 FindBestAlignment(const TrinaryMap& truth, const TrinaryMap& map,
                       const std::vector<SE2>& candidates) {
   if (candidates.empty()) throw std::invalid_argument("best alignment: expected a candidate");
-  std::vector<Eigen::Vector2d> points;
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (int row = 0; row < map.height; ++row) {
-    for (int column = 0; column < map.width; ++column) {
-      if (map.at(column, row) != CellState::kOccupied) continue;
-      points.push_back(CellCenter(map, column, row));
-      mean += points.back();
-    }
-  }
+  const std::vector<Eigen::Vector2d> points = OccupiedCenters(map);
   if (points.empty()) return candidates.front();
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& point : points) mean += point;
   mean /= static_cast<double>(points.size());
   const SE2 map_T_middle{mean.x(), mean.y(), 0.0};
 

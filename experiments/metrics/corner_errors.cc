@@ -21,18 +21,6 @@ constexpr int kDetectorCells = 3;  // its reach
 
 using Points = std::vector<Eigen::Vector2d>;
 
-Points OccupiedCenters(const map::TrinaryMap& map) {
-  Points centers;
-  for (int row = 0; row < map.height; ++row) {
-    for (int column = 0; column < map.width; ++column) {
-      if (map.at(column, row) == map::CellState::kOccupied) {
-        centers.push_back(CellCenter(map, column, row));
-      }
-    }
-  }
-  return centers;
-}
-
 bool HasNear(const Points& points, const Eigen::Vector2d& point, double reach_m = kCornerReach_m) {
   return std::any_of(points.begin(), points.end(), [&](const Eigen::Vector2d& other) {
     return IsWithin((other - point).norm(), reach_m);

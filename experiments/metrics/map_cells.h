@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "frontend/map/trinary_map.h"
 
@@ -28,6 +29,19 @@ inline int CellOf(double cells) {
 inline Eigen::Vector2d CellCenter(const map::TrinaryMap& map, int column, int row) {
   return {map.origin_x_m + (column + 0.5) * map.resolution_m,
           map.origin_y_m + (row + 0.5) * map.resolution_m};
+}
+
+// Row by row.
+inline std::vector<Eigen::Vector2d> OccupiedCenters(const map::TrinaryMap& map) {
+  std::vector<Eigen::Vector2d> centers;
+  for (int row = 0; row < map.height; ++row) {
+    for (int column = 0; column < map.width; ++column) {
+      if (map.at(column, row) == map::CellState::kOccupied) {
+        centers.push_back(CellCenter(map, column, row));
+      }
+    }
+  }
+  return centers;
 }
 
 // Around the map, everything is unknown.
