@@ -1,6 +1,7 @@
 #include "frontend/control_input.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace gmapping_spa::frontend {
@@ -30,6 +31,7 @@ ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
     return AsLogged(scan);
   }
   ScanMotion motion = scan_odometry_.Advance(scan, wheels);
+  ReportSweep(scan.stamp_s);
   if (options_.source == OdometrySource::kWheel) {
     if (motion.wheels_rejected || motion.wheels_silent) {
       health_->Report("odometry_contradicted", scan.stamp_s,
@@ -40,6 +42,7 @@ ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
     ScanMotion believed;
     believed.motion = wheels.motion;
     believed.noise = motion.noise;
+    believed.velocity = motion.velocity;
     return believed;
   }
   ReportMatch(motion, wheels, scan.stamp_s);
@@ -101,6 +104,16 @@ void ControlInput::ReportBlind(const sensor::LaserScan& scan) {
         "no beam of a scan hits anything: the laser is covered, or nothing is in range");
   }
   blind_stamps_s_.clear();
+}
+
+// Once.
+void ControlInput::ReportSweep(double stamp_s) {
+  if (has_reported_sweep_ || options_.scan_odometry.sweep_duration_s || sweep_s() == 0.0) return;
+  has_reported_sweep_ = true;
+  health_->Report("scans_deskewed", stamp_s,
+                  "scans bend while the robot turns, as those of a laser that takes about " +
+                      std::to_string(std::lround(1e3 * sweep_s())) +
+                      " ms for a scan; they are deskewed from here on, all of them in the end");
 }
 
 void ControlInput::ReportUnmatched(const ScanMotion& motion, const OdometryCheck::Step& wheels,

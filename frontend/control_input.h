@@ -36,10 +36,15 @@ class ControlInput {
   // The motion since the scan before. Of the first scan: none.
   ScanMotion Advance(const sensor::LaserScan& scan);
 
+  // Time from the first beam of a scan to the last one, s, by which scans are to be deskewed; 0
+  // where they seem to be measured at once.
+  double sweep_s() const { return scan_odometry_.sweep_s(); }
+
  private:
   ScanMotion AsLogged(const sensor::LaserScan& scan);
   void ReportFault(const sensor::OdometryCheck::Step& wheels, double stamp_s);
   void ReportBlind(const sensor::LaserScan& scan);
+  void ReportSweep(double stamp_s);
   void ReportUnmatched(const ScanMotion& motion, const sensor::OdometryCheck::Step& wheels,
                        double stamp_s);
   void ReportMatch(const ScanMotion& motion, const sensor::OdometryCheck::Step& wheels,
@@ -51,8 +56,9 @@ class ControlInput {
   ScanOdometry scan_odometry_;
   std::optional<backend::SE2> odom_T_previous_;  // of kRaw: what the log last said
   StandStill stand_still_;                       // of kRaw
-  bool has_seen_ = false;                        // any obstacle so far
-  std::vector<double> blind_stamps_s_;           // of scans without a hit that are not reported yet
+  bool has_reported_sweep_ = false;
+  bool has_seen_ = false;               // any obstacle so far
+  std::vector<double> blind_stamps_s_;  // of scans without a hit that are not reported yet
 };
 
 }  // namespace gmapping_spa::frontend

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "frontend/scan_density.h"
+#include "frontend/sensor/deskew.h"
 
 namespace gmapping_spa::frontend {
 
@@ -23,9 +24,9 @@ ImprovedGmapping::ImprovedGmapping(const Options& options,
       graph_thread_(options.graph_thread, std::move(optimize)),
       area_(options.filter.grid.resolution_m) {}
 
-void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
+void ImprovedGmapping::AddScan(const sensor::LaserScan& measured) {
   // Step 1: the control input.
-  const ScanMotion motion = control_.Advance(scan);
+  const ScanMotion motion = control_.Advance(measured);
   const SE2& u = motion.motion;
   // What one scan does not decide becomes a step of its own, for particles to take apart.
   const bool ambiguous = !motion.alternatives.empty();
@@ -38,8 +39,10 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& scan) {
   odom_T_scan_ = odom_T_scan_ * u;
   if (options_.filter.motion.noise_at_each_scan) increments_since_update_.push_back(u);
   noise_since_update_ = std::max(noise_since_update_, motion.noise);
+  archive_.set_sweep_s(control_.sweep_s());
+  const sensor::LaserScan scan = sensor::Deskew(measured, control_.sweep_s() * motion.velocity);
   area_.Extend(scan, odom_T_scan_);
-  archive_.Add(scan);
+  archive_.Add(measured, motion.velocity);
   is_lost_.push_back(!motion.matched);
   ++counts_.scans;
 

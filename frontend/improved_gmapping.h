@@ -69,8 +69,9 @@ class ImprovedGmapping {
                    std::shared_ptr<const scan_matching::ScanMatcher> matcher,
                    backend::OptimizationThread::OptimizeFunction optimize);
 
-  // Throws std::runtime_error when the odometry leads out of the area that a map can cover.
-  void AddScan(const sensor::LaserScan& scan);
+  // `measured`: not deskewed. Throws std::runtime_error when the odometry leads out of the area
+  // that a map can cover.
+  void AddScan(const sensor::LaserScan& measured);
 
   // The pose graph as it is now: the best particle's path, a node an update with ids 0, 1, ..., and
   // the accepted loop closures.
@@ -87,6 +88,8 @@ class ImprovedGmapping {
   const GraphThread& graph_thread() const { return graph_thread_; }
   const loop_closure::LoopCloser& loop_closer() const { return loop_closer_; }
   const Health& health() const { return health_; }
+  // Time from the first beam of a scan to the last one, s, by which scans are deskewed.
+  double sweep_s() const { return control_.sweep_s(); }
 
  private:
   void BeginPiece(int scans);

@@ -78,7 +78,8 @@ ScanOdometry::ScanOdometry(const Options& options)
             grid.full_threshold = options.full_threshold;
             return grid;
           }(),
-          options.map_scans) {}
+          options.map_scans),
+      sweep_(options.grid, options.gauss_newton, options.sweep_duration_s) {}
 
 ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
                                  const sensor::OdometryCheck::Step& wheels) {
@@ -101,9 +102,10 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
     return result;
   }
 
-  points_ = scan_matching::MakeScanPoints(scan);
   const std::optional<WheelMotion> guess = wheel_trust_.Guess(wheels);
   const MotionPrior prior = MakePrior(guess, duration_s);
+  points_ = scan_matching::MakeScanPoints(
+      Deskewed(scan, VelocityOf(prior.hypotheses().front().motion, duration_s)));
   std::vector<Match> matches = {
       Track(before * prior.hypotheses().front().motion, prior.hypotheses().front())};
   // At first the velocity is not known, and a map of one scan says that nothing has moved.
@@ -130,13 +132,18 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
     }
   }
   const Match& best = matches.front();
-  if (IsLost(best)) return GoOnLost(best, scan, wheels, guess);
+  if (IsLost(best)) {
+    result = GoOnLost(best, scan, wheels, guess);
+    result.velocity = VelocityOf(result.motion, duration_s);
+    return result;
+  }
   new_piece_.reset();
   doubtful_scans_ = IsDoubtful(best) ? doubtful_scans_ + 1 : 0;
   result.matched = doubtful_scans_ == 0 || doubtful_scans_ > options_.doubtful_scans;
   Learn(best, duration_s);
   odom_T_robot_ = best.odom_T_robot;
   result.motion = Between(before, odom_T_robot_);
+  result.velocity = VelocityOf(result.motion, duration_s);
   result.wheels_rejected = prior.hypotheses().front().SquaredDistance(result.motion) > kAgrees;
   if (guess && !result.wheels_rejected) {
     result.noise = 1.0 / std::sqrt(std::min(guess->gain_m, guess->gain_rad));
@@ -162,6 +169,7 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
   // A map must not hold both sides of a step that may be wrong. One scan of few beams is no map.
   const double density = ScanDensity(scan);
   const bool is_ambiguous = !result.alternatives.empty();
+  if (result.matched && !is_ambiguous) sweep_.Learn(scan, odom_T_robot_, result.velocity);
   if (is_ambiguous && density == 1.0) {
     map_.Clear();
     usual_unknown_ = 1.0;
@@ -171,7 +179,7 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
                         std::abs(since_entered.theta) > density * options_.enter_rad;
   if (map_.empty() || (moved_on && result.matched && !is_ambiguous)) {
     odom_T_entered_ = odom_T_robot_;
-    map_.Enter(scan, odom_T_robot_);
+    map_.Enter(Deskewed(scan, result.velocity), odom_T_robot_);
   }
   return result;
 }

@@ -18,6 +18,7 @@
 #include "frontend/sensor/laser_scan.h"
 #include "frontend/sensor/odometry_check.h"
 #include "frontend/sliding_map.h"
+#include "frontend/sweep_duration.h"
 #include "frontend/wheel_trust.h"
 
 namespace gmapping_spa::frontend {
@@ -30,6 +31,8 @@ struct ScanMotion {
   // How sure the wheels, which agree with it, have proved to be: a factor on the standard
   // deviations that are expected of them, at most 1.
   double noise = 1.0;
+  // Of the robot during the scan: a twist in its frame (m/s, m/s, rad/s).
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   bool searched = false;         // whether the guesses did not do and a window was searched
   bool wheels_rejected = false;  // whether the motion is not what the wheels say
   bool wheels_silent = false;    // whether the wheels stand still while the robot moves
@@ -54,6 +57,8 @@ class ScanOdometry {
     // often than this was a person who went by.
     double full_threshold = 0.25;
     MotionPrior::Options prior;
+    // Time from the first beam of a scan to the last one, s; learned where it is not given.
+    std::optional<double> sweep_duration_s;
     // A scan is entered into the map after this much motion, one of few beams the sooner. The map
     // is given up for one of half that many scans when it holds so many.
     double enter_m = 0.5;
@@ -75,6 +80,10 @@ class ScanOdometry {
   // The motion since the scan before, given what the wheels say about it. Of the first scan: none.
   ScanMotion Advance(const sensor::LaserScan& scan, const sensor::OdometryCheck::Step& wheels);
 
+  // Time from the first beam of a scan to the last one, s, by which scans are to be deskewed; 0
+  // where they seem to be measured at once.
+  double sweep_s() const;
+
  private:
   // A pose of the robot and how well the scan fits there.
   struct Match {
@@ -89,6 +98,8 @@ class ScanOdometry {
                       const sensor::OdometryCheck::Step& wheels,
                       const std::optional<WheelMotion>& guess);
   double DurationRatio(double duration_s) const;
+  Eigen::Vector3d VelocityOf(const backend::SE2& motion, double duration_s) const;
+  sensor::LaserScan Deskewed(const sensor::LaserScan& scan, const Eigen::Vector3d& velocity) const;
   MotionPrior MakePrior(const std::optional<WheelMotion>& wheels, double duration_s) const;
   Match Track(const backend::SE2& initial, const MotionHypothesis& hypothesis) const;
   void CountBehindWalls(Match* match) const;
@@ -112,6 +123,7 @@ class ScanOdometry {
   double usual_fit_ = 0.6;                                  // running mean
   double usual_unknown_ = 1.0;  // part of the beams that ends in unseen space, running mean
   WheelTrust wheel_trust_;
+  SweepDuration sweep_;
   int scans_ = 0;           // seen
   int doubtful_scans_ = 0;  // in a row
   // Of a robot that is lost: what its scans say to each other.

@@ -59,6 +59,8 @@ ScanMotion ScanOdometry::GoOnLost(const Match& best, const sensor::LaserScan& sc
     new_piece_->usual_duration_s_ = usual_duration_s_;
     new_piece_->usual_fit_ = usual_fit_;
     new_piece_->wheel_trust_ = wheel_trust_;
+    new_piece_->sweep_ = sweep_;
+    new_piece_->sweep_.BeginFrame();
     new_piece_->Advance(scan, wheels);
     new_piece_begin_s_ = scan.stamp_s;
     new_piece_scans_ = 1;

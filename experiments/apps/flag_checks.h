@@ -2,6 +2,7 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_CHECKS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_CHECKS_H_
 
+#include <charconv>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -33,6 +34,17 @@ T OneOf(const char* flag, const std::string& value,
   }
   throw std::runtime_error(std::string("--") + flag + ": expected one of " + names + ", found '" +
                            value + "'");
+}
+
+// The number that a flag's text holds; throws std::runtime_error with one line if it is none.
+inline double Number(const char* flag, const std::string& text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw std::runtime_error(std::string("--") + flag + ": expected a number, found '" + text +
+                             "'");
+  }
+  return value;
 }
 
 }  // namespace gmapping_spa::apps

@@ -71,6 +71,7 @@ Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping
         {"corrections", counts.corrections},
         {"searched_scans", counts.searched},
         {"pieces", counts.pieces}}},
+      {"sweep_duration_s", gmapping.sweep_s()},
       {"loop_closures", CountClosures(gmapping.loop_closer().records())},
       {"graph_thread",
        {{"started", graph.started},

@@ -43,6 +43,11 @@ DEFINE_double(max_speed_m_s, kSlam.control.check.max_speed_m_s,
               "Highest speed of the robot, m/s. A faster step of the odometry is left out.");
 DEFINE_double(max_turn_rad_s, kSlam.control.check.max_turn_rad_s,
               "Highest turn rate of the robot, rad/s. A faster step of the odometry is left out.");
+DEFINE_string(
+    sweep_duration_s, "auto",
+    "Time from the first beam of a scan to the last one, s, from -1 to 1, by which scans of a "
+    "moving robot are deskewed; negative: the first beam is measured last; 0: all at once; auto: "
+    "learned from how scans bend when the robot turns. Without effect on --odometry=raw.");
 DEFINE_string(scan_matcher, "gauss_newton",
               "Scan matcher of the particles: hill_climbing or gauss_newton.");
 DEFINE_string(match_start, "prediction",
@@ -208,6 +213,10 @@ frontend::ImprovedGmapping::Options SlamOptionsFromFlags() {
           InRange("motion_angular_floor_rad", FLAGS_motion_angular_floor_rad, 1e-6, 3.0),
       .noise_at_each_scan =
           OneOf<bool>("motion_noise", FLAGS_motion_noise, {{"update", false}, {"scan", true}})};
+  if (FLAGS_sweep_duration_s != "auto") {
+    options.control.scan_odometry.sweep_duration_s =
+        InRange("sweep_duration_s", Number("sweep_duration_s", FLAGS_sweep_duration_s), -1.0, 1.0);
+  }
   options.control.scan_odometry.prior.max_speed_m_s = check.max_speed_m_s;
   options.control.scan_odometry.prior.max_turn_rad_s = check.max_turn_rad_s;
   // All that align scans do it alike; what counts as an obstacle or fits in the maps of particles,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "frontend/sensor/deskew.h"
+
 namespace gmapping_spa::scan_matching {
 
 namespace {
@@ -68,12 +70,14 @@ ScanPoints MakeEndPoints(const sensor::LaserScan& scan) {
   points.reserve(scan.beams.size());
   const backend::SE2& mount = scan.robot_T_laser;
   const double weight_per_m = AngleBetweenBeams(scan.beams) / kIndependent_m;
-  for (const sensor::Beam& beam : scan.beams) {
+  for (std::size_t k = 0; k < scan.beams.size(); ++k) {
+    const sensor::Beam& beam = scan.beams[k];
     if (beam.status != sensor::BeamStatus::kHit) continue;
     const double c = std::cos(mount.theta + beam.angle_rad);
     const double s = std::sin(mount.theta + beam.angle_rad);
     points.push_back({mount.x + beam.range_m * c, mount.y + beam.range_m * s, -c, -s, beam.range_m,
                       std::clamp(weight_per_m * beam.range_m, kLeastWeight, 1.0)});
+    points.back().in_sweep = sensor::PlaceInSweep(k, scan.beams.size());
   }
   return points;
 }

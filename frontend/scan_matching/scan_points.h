@@ -24,6 +24,7 @@ struct ScanPoint {
   double normal_x = 0.0;
   double normal_y = 0.0;
   double normal_variance = 0.0;  // rad^2, from the noise of the ranges
+  double in_sweep = 0.0;         // when it was measured: sensor::PlaceInSweep
 };
 using ScanPoints = std::vector<ScanPoint>;
 

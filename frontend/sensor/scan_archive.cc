@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "frontend/sensor/deskew.h"
+
 namespace gmapping_spa::sensor {
 namespace {
 
@@ -26,8 +28,9 @@ Beam Unpacked(double angle_rad, float packed) {
 
 }  // namespace
 
-int ScanArchive::Add(const LaserScan& scan) {
-  Entry entry{scan.index, scan.stamp_s, scan.odom_T_robot, scan.robot_T_laser, nullptr, {}};
+int ScanArchive::Add(const LaserScan& scan, const Eigen::Vector3d& velocity) {
+  Entry entry{scan.index, scan.stamp_s, scan.odom_T_robot, scan.robot_T_laser,
+              nullptr,    {},           velocity};
   entry.ranges_m.reserve(scan.beams.size());
   for (const Beam& beam : scan.beams) entry.ranges_m.push_back(Packed(beam));
 
@@ -43,6 +46,9 @@ int ScanArchive::Add(const LaserScan& scan) {
     for (const Beam& beam : scan.beams) angles_rad.push_back(beam.angle_rad);
     entry.angles_rad = std::make_shared<const std::vector<double>>(std::move(angles_rad));
   }
+  // Half of the sweep comes after the stamp.
+  if (!scans_.empty()) scans_.back().velocity = 0.5 * (latest_velocity_ + velocity);
+  latest_velocity_ = velocity;
   scans_.push_back(std::move(entry));
   return size() - 1;
 }
@@ -54,7 +60,7 @@ LaserScan ScanArchive::Get(int position) const {
   for (std::size_t k = 0; k < entry.ranges_m.size(); ++k) {
     scan.beams.push_back(Unpacked((*entry.angles_rad)[k], entry.ranges_m[k]));
   }
-  return scan;
+  return Deskew(std::move(scan), sweep_s_ * entry.velocity);
 }
 
 }  // namespace gmapping_spa::sensor

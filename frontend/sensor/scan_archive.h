@@ -2,6 +2,7 @@
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_SCAN_ARCHIVE_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_SCAN_ARCHIVE_H_
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -14,8 +15,13 @@ namespace gmapping_spa::sensor {
 // beams are kept once for all scans in succession that share them.
 class ScanArchive {
  public:
-  // Returns the position at which Get finds the scan: 0, 1, 2, ...
-  int Add(const LaserScan& scan);
+  // A scan as it was measured, and the velocity of the robot then: a twist in its frame (m/s, m/s,
+  // rad/s). Returns the position at which Get finds the scan: 0, 1, 2, ...
+  int Add(const LaserScan& scan, const Eigen::Vector3d& velocity);
+
+  // The time from the first beam of a scan to the last one, s: Get deskews all scans by it, those
+  // of before as well.
+  void set_sweep_s(double sweep_s) { sweep_s_ = sweep_s; }
 
   LaserScan Get(int position) const;
 
@@ -32,8 +38,11 @@ class ScanArchive {
     backend::SE2 robot_T_laser;
     std::shared_ptr<const std::vector<double>> angles_rad;
     std::vector<float> ranges_m;  // negative: no return up to there; 0: invalid
+    Eigen::Vector3d velocity;
   };
   std::vector<Entry> scans_;
+  Eigen::Vector3d latest_velocity_ = Eigen::Vector3d::Zero();
+  double sweep_s_ = 0.0;
 };
 
 }  // namespace gmapping_spa::sensor

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/frontend/moving_laser.h"
 #include "tests/frontend/scan_odometry_drive.h"
 
 namespace gmapping_spa::frontend {
@@ -65,6 +66,24 @@ TEST_F(ControlInputInARoom, NothingIsReportedWhereAllIsWell) {
     EXPECT_TRUE(health_.stretches().empty());
     ExpectNear(world_T_estimate_, OnRound(80), 0.03, 0.01);
   }
+}
+
+TEST_F(ControlInputInARoom, SaysOnceThatScansAreDeskewed) {
+  Start(OdometrySource::kScanMatched);
+  constexpr double kSweep_s = 0.08, kInterval_s = 0.1;
+  SE2 pose;
+  for (int k = 0; k < 60; ++k) {
+    const Eigen::Vector3d velocity(0.0, 0.0, k < 20 ? 0.0 : 1.0);
+    pose = pose * backend::Exp(kInterval_s * velocity);
+    sensor::LaserScan scan = synthetic::ScanOnTheMove(synthetic::Room(), pose, kSweep_s * velocity);
+    scan.stamp_s = 100.0 + kInterval_s * k;
+    scan.odom_T_robot = pose;
+    Take(scan);
+  }
+  EXPECT_EQ(Findings(), Kinds{"scans_deskewed"});
+  EXPECT_EQ(health_.findings().at("scans_deskewed").count, 1);
+  EXPECT_THAT(health_.findings().at("scans_deskewed").message, testing::HasSubstr(" ms"));
+  EXPECT_NEAR(control_->sweep_s(), kSweep_s, 0.01);
 }
 
 TEST_F(ControlInputInARoom, WheelsAreTakenAsTheyAreIfThatIsAskedForButNotWithoutAWord) {

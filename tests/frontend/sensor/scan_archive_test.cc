@@ -8,6 +8,8 @@
 namespace gmapping_spa::sensor {
 namespace {
 
+const Eigen::Vector3d kStill = Eigen::Vector3d::Zero();
+
 LaserScan ScanWith(const std::vector<Beam>& beams, std::int64_t index = 0) {
   return {index, 1.0 + static_cast<double>(index), {1, 2, 3}, {0.1, 0.2, 0.3}, beams};
 }
@@ -42,7 +44,7 @@ TEST(ScanArchive, GivesBackHitsMissingReturnsAndInvalidBeams) {
                                    {0.30000000000000004, 0.125, BeamStatus::kHit}},
                                   7);
   ScanArchive archive;
-  EXPECT_EQ(archive.Add(scan), 0);
+  EXPECT_EQ(archive.Add(scan, kStill), 0);
   ExpectSame(archive.Get(0), scan);
   EXPECT_EQ(archive.StampOf(0), 8.0);
 }
@@ -59,7 +61,7 @@ TEST(ScanArchive, RoundsRangesToFloatAndNothingElse) {
   scan.odom_T_robot = {1e4 + third, -third, third};
   scan.robot_T_laser = {third, -third, third};
   ScanArchive archive;
-  archive.Add(scan);
+  archive.Add(scan, kStill);
   for (std::size_t k = 0; k < beams.size(); ++k) {
     EXPECT_LE(std::abs(archive.Get(0).beams[k].range_m - beams[k].range_m), 2e-6) << k;
     EXPECT_EQ(archive.Get(0).beams[k].range_m, static_cast<float>(beams[k].range_m)) << k;
@@ -76,7 +78,7 @@ TEST(ScanArchive, ScansKeepTheirOwnAnglesWhereThoseChange) {
       Fan(4, 0.0, 5.0),   Fan(6, 0.0, 6.0), Fan(0, 0, 0), Fan(0, 0, 0),  // a different number
       Fan(5, 1e-17, 7.0), Fan(5, 0.0, 8.0)};                             // all but the same
   ScanArchive archive;
-  for (std::size_t i = 0; i < scans.size(); ++i) EXPECT_EQ(archive.Add(scans[i]), int(i));
+  for (std::size_t i = 0; i < scans.size(); ++i) EXPECT_EQ(archive.Add(scans[i], kStill), int(i));
   EXPECT_EQ(archive.size(), static_cast<int>(scans.size()));
   for (std::size_t i = 0; i < scans.size(); ++i) ExpectSame(archive.Get(int(i)), scans[i]);
 }
@@ -85,6 +87,20 @@ TEST(ScanArchive, EmptyArchiveHoldsNoScan) {
   const ScanArchive archive;
   EXPECT_EQ(archive.size(), 0);
   EXPECT_THROW(archive.Get(0), std::out_of_range);
+}
+
+TEST(ScanArchive, DeskewsAllScansOnceTheDurationOfASweepIsKnown) {
+  ScanArchive archive;
+  const LaserScan scan = Fan(5, 0.0, 2.0);
+  archive.Add(scan, {0.0, 0.0, 1.0});
+  archive.Add(scan, {0.0, 0.0, 2.0});
+  ExpectSame(archive.Get(0), scan);
+  archive.set_sweep_s(0.1);
+  // Half of the first sweep was at the velocity up to the next scan.
+  EXPECT_NEAR(archive.Get(0).beams[0].angle_rad, scan.beams[0].angle_rad - 0.075, 1e-9);
+  EXPECT_NEAR(archive.Get(1).beams[0].angle_rad, scan.beams[0].angle_rad - 0.1, 1e-9);
+  EXPECT_NEAR(archive.Get(1).beams[4].angle_rad, scan.beams[4].angle_rad + 0.1, 1e-9);
+  EXPECT_NEAR(archive.Get(1).beams[2].angle_rad, scan.beams[2].angle_rad, 1e-9);
 }
 
 }  // namespace

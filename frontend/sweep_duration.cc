@@ -1,0 +1,122 @@
+#include "frontend/sweep_duration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "frontend/map/scan_registration.h"
+#include "frontend/scan_matching/scan_points.h"
+#include "frontend/scan_matching/sweep_fit.h"
+#include "frontend/sensor/deskew.h"
+
+namespace gmapping_spa::frontend {
+
+using backend::SE2;
+using scan_matching::SweepFit;
+
+namespace {
+
+// How fast a robot moves, rad/s: a metre at this distance counts as a radian.
+constexpr double kDistance_m = 2.0;
+constexpr double kSlow = 0.2;       // motions slower than this bend nothing
+constexpr double kStraight = 0.15;  // turns slower than this, little, and alike for long
+constexpr double kFaster = 0.35;    // than the reference: the scan may show the duration
+constexpr double kSteady = 0.6;     // part by which the velocity may change in an interval
+constexpr double kLongest_s = 1.5;  // since the reference
+// Durations to begin with. The slowest common lasers turn 5 times a second.
+constexpr double kStep_s = 0.025;
+constexpr double kLongestSweep_s = 0.2;
+
+// A measurement counts when so many beams, as a part of all, fit, and its standard deviation is at
+// most this; beams side by side are off together.
+constexpr double kFits = 0.4;
+constexpr double kBeamsThatCountAsOne = 20.0;
+constexpr double kMaxSigma_s = 0.05;
+constexpr double kMostInformation = kBeamsThatCountAsOne / (0.01 * 0.01);
+
+// A duration is the median of so many measurements, and proven by so many that agree.
+constexpr std::size_t kMeasurements = 31;
+constexpr int kOneIn = 15;  // chances to measure is taken when there are that many
+constexpr std::size_t kProvenBy = 3;
+constexpr double kAgreeing = 0.8;      // part of the measurements that must
+constexpr double kShortest_s = 0.015;  // shorter ones bend no scan that a map would show
+
+double Speed(const Eigen::Vector3d& velocity) {
+  return velocity.head<2>().norm() / kDistance_m + std::abs(velocity.z());
+}
+
+}  // namespace
+
+double SweepDuration::WeightedMedian(std::deque<Measurement> measurements) {
+  std::sort(measurements.begin(), measurements.end(),
+            [](const Measurement& a, const Measurement& b) { return a.sweep_s < b.sweep_s; });
+  double left = 0.0;
+  for (const Measurement& measurement : measurements) left += 0.5 * measurement.information;
+  for (const Measurement& measurement : measurements) {
+    left -= measurement.information;
+    if (left <= 0.0) return measurement.sweep_s;
+  }
+  return 0.0;
+}
+
+SweepDuration::SweepDuration(const map::OccupancyGrid::Options& grid,
+                             const scan_matching::GaussNewton::Options& gauss_newton,
+                             const std::optional<double>& known_s)
+    : grid_options_(grid),
+      gauss_newton_(gauss_newton),
+      is_known_(known_s.has_value()),
+      value_s_(known_s.value_or(0.0)) {}
+
+void SweepDuration::Learn(const sensor::LaserScan& scan, const SE2& odom_T_robot,
+                          const Eigen::Vector3d& velocity) {
+  if (is_known_) return;
+  if (!latest_.scan.beams.empty()) {
+    const double change = Speed(velocity - latest_.velocity);
+    latest_.velocity = 0.5 * (latest_.velocity + velocity);
+    const double speed = Speed(latest_.velocity);
+    const bool is_straight = std::abs(latest_.velocity.z()) < kStraight;
+    Reference& reference = is_straight ? slow_ : straight_;
+    if (!reference.at.scan.beams.empty() && change < kSteady * speed &&
+        speed > Speed(reference.at.velocity) + kFaster &&
+        latest_.scan.stamp_s - reference.at.scan.stamp_s < kLongest_s) {
+      const bool is_settled = measurements_.size() == kMeasurements;
+      if (!is_settled || ++chances_ % kOneIn == 0) Measure(&reference);
+    }
+    if (is_straight) straight_ = {latest_, {}};
+    if (speed < kSlow) slow_ = {latest_, {}};
+  }
+  latest_ = {scan, odom_T_robot, velocity};
+}
+
+void SweepDuration::Measure(Reference* reference) {
+  if (!reference->grid) {
+    reference->grid.emplace(grid_options_);
+    map::RegisterScan(sensor::Deskew(reference->at.scan, value_s_ * reference->at.velocity),
+                      reference->at.odom_T_robot, {}, &*reference->grid);
+  }
+  const scan_matching::ScanPoints points = scan_matching::MakeScanPoints(latest_.scan);
+  SweepFit best;
+  for (double sweep_s = -kLongestSweep_s; sweep_s <= kLongestSweep_s + 1e-9; sweep_s += kStep_s) {
+    const SweepFit fit =
+        FitSweep(*reference->grid, points, latest_.velocity,
+                 {.world_T_robot = latest_.odom_T_robot, .sweep_s = sweep_s}, gauss_newton_);
+    if (fit.inliers > best.inliers) best = fit;
+  }
+  if (best.inliers < kFits * static_cast<double>(points.size()) ||
+      best.information * kMaxSigma_s * kMaxSigma_s < kBeamsThatCountAsOne) {
+    return;
+  }
+  measurements_.push_back({best.sweep_s, std::min(best.information, kMostInformation)});
+  if (measurements_.size() > kMeasurements) measurements_.pop_front();
+  const double median_s = WeightedMedian(measurements_);
+  const auto agreeing =
+      std::count_if(measurements_.begin(), measurements_.end(), [&](const Measurement& measured) {
+        return std::abs(measured.sweep_s - median_s) < 0.5 * std::abs(median_s);
+      });
+  if (measurements_.size() >= kProvenBy && std::abs(median_s) > kShortest_s &&
+      static_cast<double>(agreeing) >= kAgreeing * static_cast<double>(measurements_.size())) {
+    value_s_ = median_s;
+  }
+}
+
+}  // namespace gmapping_spa::frontend

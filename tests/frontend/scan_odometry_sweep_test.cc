@@ -1,0 +1,68 @@
+// Drives with a laser that turns slowly.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "tests/frontend/moving_laser.h"
+#include "tests/frontend/scan_odometry_drive.h"
+
+namespace gmapping_spa::frontend {
+namespace {
+
+using backend::SE2;
+
+// Stands, and then turns on the spot, again and again; five scans a second, a sweep takes 0.18 s.
+class SlowLaser : public testing::Test {
+ protected:
+  static constexpr double kInterval_s = 0.2;
+  static constexpr double kSweep_s = 0.18;
+
+  // The heading at the end, less what was estimated.
+  double TurnAndCompare(const std::optional<double>& known_sweep_s = std::nullopt) {
+    ScanOdometry::Options options;
+    options.sweep_duration_s = known_sweep_s;
+    ScanOdometry odometry(options);
+    const synthetic::Laser laser{.beams = 361, .field_of_view_rad = 2.0 * std::numbers::pi};
+    SE2 truth, estimate;
+    for (int k = 0; k < 240; ++k) {
+      const int in_turn = k % 30;
+      const double turn_rad_s = std::clamp(0.4 * std::min(in_turn - 6, 29 - in_turn), 0.0, 1.2);
+      const Eigen::Vector3d velocity(0.0, 0.0, turn_rad_s);
+      const SE2 before = truth;
+      truth = truth * backend::Exp(kInterval_s * velocity);
+      sensor::LaserScan scan =
+          synthetic::ScanOnTheMove(synthetic::Room(), truth, kSweep_s * velocity, laser);
+      scan.stamp_s = 10.0 + kInterval_s * k;
+      // Wheels that turn 5 % too little.
+      const SE2 wheels = backend::Exp(0.95 * backend::Log(Between(before, truth)));
+      const ScanMotion motion = odometry.Advance(scan, {k == 0 ? SE2{} : wheels});
+      estimate = k == 0 ? truth : estimate * motion.motion;
+    }
+    sweep_s_ = odometry.sweep_s();
+    return std::abs(backend::WrapAngle(truth.theta - estimate.theta));
+  }
+
+  double sweep_s_ = 0.0;
+};
+
+TEST_F(SlowLaser, IsFoundOutAndItsScansAreDeskewed) {
+  EXPECT_LT(TurnAndCompare(), 0.05);
+  EXPECT_NEAR(sweep_s_, kSweep_s, 0.02);
+}
+
+TEST_F(SlowLaser, LosesItsHeadingWithoutThat) { EXPECT_GT(TurnAndCompare(0.0), 0.1); }
+
+TEST_F(SlowLaser, MayBeTold) {
+  EXPECT_LT(TurnAndCompare(kSweep_s), 0.05);
+  EXPECT_EQ(sweep_s_, kSweep_s);
+}
+
+TEST_F(SlowLaser, TakesNoLongerThanFromScanToScan) {
+  TurnAndCompare(0.9);
+  EXPECT_NEAR(sweep_s_, kInterval_s, 0.01);
+}
+
+}  // namespace
+}  // namespace gmapping_spa::frontend
