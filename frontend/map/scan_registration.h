@@ -17,7 +17,7 @@ struct RegistrationOptions {
   double clear_margin_m = 0.0;
 };
 
-// Eq. (16), the map posterior given a pose: every hit counts for the cell that holds its end point
+// Eq. (15), integrateScan: the map posterior given a pose. Every hit counts for the cell that holds its end point
 // and as a pass for the cells on the way there.
 void RegisterScan(const sensor::LaserScan& scan, const backend::SE2& world_T_robot,
                   const RegistrationOptions& options, OccupancyGrid* grid);

@@ -124,12 +124,13 @@ void ParticleFilter::Move(const scan_matching::ScanPoints& points, const Control
   CounterRandom random(options_.seed, kMoveStream, step_, index);
   Particle& particle = particles_[index];
   const SE2 previous = particle.world_T_robot;
-  const PoseGaussian prior{previous * control.motion, motion_model_.Covariance(previous, control)};
+  const PoseGaussian prior{previous * control.motion,  // eq. (6)
+                           motion_model_.Covariance(previous, control)};
   scan_matching::EndpointModel model(options_.endpoint, &particle.map, &points);
   const SE2 start = match_start_->Choose(previous, control, &model, &random);
   const scan_matching::MatchResult match =
       matcher_->Match(particle.map, points, start, prior.covariance.inverse());  // eq. (8)
-  // The log of the factor of the weight, eqs. (7) and (15), comes with the pose.
+  // The log of the factor of the weight (step 5) comes with the pose.
   SampledPose sampled;
   if (match.success) {
     sampled =
@@ -148,7 +149,7 @@ void ParticleFilter::Move(const scan_matching::ScanPoints& points, const Control
   particle.log_likelihood += sampled.log_factor;
 }
 
-// Eq. (17): resamples when N_eff is small. Ancestor of each particle of the next generation.
+// Step 9: resamples when N_eff is small. Ancestor of each particle of the next generation.
 std::vector<int> ParticleFilter::ChooseAncestors(Update* update) {
   std::vector<double> log_weights;
   for (const Particle& particle : particles_) log_weights.push_back(particle.log_weight);
@@ -158,7 +159,7 @@ std::vector<int> ParticleFilter::ChooseAncestors(Update* update) {
   update->resampled =
       update->effective_sample_size < options_.resample_threshold * options_.particles;
   if (update->resampled) {
-    return SystematicResample(weights, options_.particles,
+    return SystematicResample(weights, options_.particles,  // eq. (17)
                               CounterRandom(options_.seed, kResampleStream, step_).Uniform());
   }
   std::vector<int> everybody(particles_.size());

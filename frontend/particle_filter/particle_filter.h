@@ -24,8 +24,8 @@
 
 namespace gmapping_spa::particle_filter {
 
-// Factorization, eq. (6): p(x_1:t, m | z, u) = p(m | x_1:t, z) p(x_1:t | z, u). The second factor
-// is what the particles sample; the first one is computed for each of them.
+// Rao-Blackwellized: of p(x_1:t, m | z, u) = p(m | x_1:t, z) p(x_1:t | z, u), the particles sample
+// the second factor, and the first one is computed for each of them (Grisetti et al. 2007).
 class ParticleFilter {
  public:
   struct Options {

@@ -18,7 +18,7 @@ struct PathCorrection {
   // Steps after the last one move with it.
   backend::SE2 Apply(int step, const backend::SE2& world_T_robot) const {
     const std::size_t k = std::min<std::size_t>(step, before.size() - 1);
-    return after[k] * Between(before[k], world_T_robot);
+    return after[k] * Between(before[k], world_T_robot);  // eq. (14): x + dx, as a composition
   }
 };
 

@@ -15,7 +15,7 @@ namespace gmapping_spa::particle_filter {
 
 struct SampledPose {
   backend::SE2 world_T_robot;
-  // Log of the factor of the importance weight: target over proposal, eqs. (7) and (15).
+  // Log of the factor of the importance weight: target over proposal (step 5).
   double log_factor = 0.0;
   Eigen::Matrix3d world_covariance;  // of the new pose given the one before, eq. (12)
 };

@@ -10,11 +10,11 @@ namespace gmapping_spa::particle_filter {
 // scan are not as independent as their product takes them.
 std::vector<double> NormalizedWeights(const std::vector<double>& log_weights, double gain);
 
-// Eq. (17): N_eff = 1 / sum w^2, between 1 and the number of particles.
+// Of step 9: N_eff = 1 / sum w^2, between 1 and the number of particles.
 double EffectiveSampleSize(const std::vector<double>& weights);
 
-// Systematic resampling: `count` draws N, ascending, index i floor(N w_i) or ceil(N w_i) times.
-// `uniform` in [0, 1) is the only random number.
+// Eq. (17), as systematic resampling: `count` draws N, ascending, index i floor(N w_i) or ceil(N
+// w_i) times. `uniform` in [0, 1) is the only random number.
 std::vector<int> SystematicResample(const std::vector<double>& weights, int count, double uniform);
 
 }  // namespace gmapping_spa::particle_filter
