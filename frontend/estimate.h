@@ -2,8 +2,8 @@
 #ifndef GMAPPING_SPA_FRONTEND_ESTIMATE_H_
 #define GMAPPING_SPA_FRONTEND_ESTIMATE_H_
 
-#include "backend/pose_graph.h"
-#include "backend/trajectory_io.h"
+#include "backend/graph/pose_graph.h"
+#include "backend/graph/trajectory_io.h"
 #include "frontend/map/occupancy_grid.h"
 
 namespace gmapping_spa::frontend {

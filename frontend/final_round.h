@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "backend/pose_graph.h"
+#include "backend/graph/pose_graph.h"
 #include "frontend/estimate.h"
 #include "frontend/loop_closure/loop_closer.h"
 #include "frontend/loop_closure/pieces.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "backend/optimization_thread.h"
+#include "backend/scheduling/optimization_thread.h"
 
 namespace gmapping_spa::frontend {
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "backend/optimization_thread.h"
-#include "backend/pose_graph_sink.h"
+#include "backend/graph/pose_graph_sink.h"
+#include "backend/scheduling/optimization_thread.h"
 #include "frontend/control_input.h"
 #include "frontend/estimate.h"
 #include "frontend/final_round.h"

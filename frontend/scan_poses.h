@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "backend/graph/trajectory_io.h"
 #include "backend/se2.h"
-#include "backend/trajectory_io.h"
 #include "frontend/sensor/laser_scan.h"
 
 namespace gmapping_spa::frontend {

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "backend/graduated_non_convexity.h"
-#include "backend/optimize_safely.h"
-#include "backend/plugin_loader.h"
+#include "backend/plugin/plugin_loader.h"
+#include "backend/scheduling/graduated_non_convexity.h"
+#include "backend/scheduling/optimize_safely.h"
 
 DEFINE_string(backend, "spa",
               "What optimizes pose graphs: spa, ceres, none, the name of another back end in "

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "backend/optimizer.h"
+#include "backend/plugin/optimizer.h"
 
 namespace gmapping_spa::apps {
 

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <vector>
 
-#include "backend/pose_graph.h"
+#include "backend/graph/pose_graph.h"
 #include "experiments/apps/json.h"
 #include "frontend/loop_closure/closure_record.h"
 

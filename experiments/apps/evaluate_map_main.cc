@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "backend/trajectory_io.h"
+#include "backend/graph/trajectory_io.h"
 #include "experiments/apps/app.h"
 #include "experiments/apps/error_picture.h"
 #include "experiments/apps/flag_checks.h"

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "backend/trajectory_io.h"
+#include "backend/graph/trajectory_io.h"
 #include "experiments/apps/app.h"
 #include "experiments/apps/input_file.h"
 #include "experiments/apps/json.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "backend/graph_index.h"
+#include "backend/graph/graph_index.h"
 #include "experiments/apps/png_canvas.h"
 
 namespace gmapping_spa::apps {

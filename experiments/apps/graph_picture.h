@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "backend/pose_graph.h"
+#include "backend/graph/pose_graph.h"
 
 namespace gmapping_spa::apps {
 

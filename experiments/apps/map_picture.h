@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "backend/trajectory_io.h"
+#include "backend/graph/trajectory_io.h"
 #include "experiments/apps/trajectory_drawing.h"
 #include "frontend/map/trinary_map.h"
 

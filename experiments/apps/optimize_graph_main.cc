@@ -9,8 +9,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "backend/g2o_io.h"
-#include "backend/plugin_loader.h"
+#include "backend/graph/g2o_io.h"
+#include "backend/plugin/plugin_loader.h"
 #include "experiments/apps/app.h"
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/graph_picture.h"

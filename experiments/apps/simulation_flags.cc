@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "backend/trajectory_io.h"
+#include "backend/graph/trajectory_io.h"
 #include "experiments/apps/flag_checks.h"
 #include "experiments/simulation/truth_map.h"
 #include "frontend/map/map_server_io.h"

@@ -6,8 +6,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "backend/g2o_io.h"
-#include "backend/trajectory_io.h"
+#include "backend/graph/g2o_io.h"
+#include "backend/graph/trajectory_io.h"
 #include "experiments/apps/app.h"
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/closure_table.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "backend/trajectory_io.h"
+#include "backend/graph/trajectory_io.h"
 #include "experiments/apps/picture_view.h"
 #include "frontend/health.h"
 

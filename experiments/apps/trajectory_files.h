@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "backend/trajectory_io.h"
+#include "backend/graph/trajectory_io.h"
 #include "experiments/metrics/association.h"
 
 namespace gmapping_spa::apps {

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "backend/g2o_io.h"
-#include "backend/graph_cost.h"
-#include "backend/initial_guess.h"
-#include "backend/plugin_loader.h"
+#include "backend/cost/graph_cost.h"
+#include "backend/graph/g2o_io.h"
+#include "backend/initialization/initial_guess.h"
+#include "backend/plugin/plugin_loader.h"
 
 namespace gmapping_spa::backend {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "backend/trajectory_io.h"
+#include "backend/graph/trajectory_io.h"
 
 namespace gmapping_spa::metrics {
 

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "backend/number_rows.h"
+#include "backend/graph/number_rows.h"
 #include "experiments/metrics/angles.h"
 #include "experiments/metrics/association.h"
 

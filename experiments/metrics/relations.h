@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "backend/graph/trajectory_io.h"
 #include "backend/se2.h"
-#include "backend/trajectory_io.h"
 #include "experiments/metrics/statistics.h"
 
 namespace gmapping_spa::metrics {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "backend/trajectory_io.h"
+#include "backend/graph/trajectory_io.h"
 #include "frontend/map/trinary_map.h"
 
 namespace gmapping_spa::metrics {

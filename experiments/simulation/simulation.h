@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "backend/trajectory_io.h"
+#include "backend/graph/trajectory_io.h"
 #include "experiments/simulation/lidar.h"
 #include "experiments/simulation/log_sink.h"
 #include "experiments/simulation/odometry.h"

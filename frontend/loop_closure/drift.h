@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "backend/pose_graph.h"
+#include "backend/graph/pose_graph.h"
 #include "backend/se2.h"
 
 namespace gmapping_spa::loop_closure {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "backend/pose_graph.h"
+#include "backend/graph/pose_graph.h"
 #include "frontend/loop_closure/closure_record.h"
 #include "frontend/loop_closure/closure_set.h"
 #include "frontend/loop_closure/place_search.h"

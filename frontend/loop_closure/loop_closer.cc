@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "backend/edge_error.h"
+#include "backend/cost/edge_error.h"
 
 namespace gmapping_spa::loop_closure {
 

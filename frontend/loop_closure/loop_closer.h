@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "backend/pose_graph.h"
+#include "backend/graph/pose_graph.h"
 #include "frontend/loop_closure/candidates.h"
 #include "frontend/loop_closure/closure_record.h"
 #include "frontend/loop_closure/drift.h"

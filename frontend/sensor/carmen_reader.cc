@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "backend/text_line.h"
+#include "backend/graph/text_line.h"
 
 namespace gmapping_spa::sensor {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-#include "backend/text_line.h"
+#include "backend/graph/text_line.h"
 
 namespace gmapping_spa::sensor {
 namespace {

@@ -10,13 +10,13 @@
 #include <stdexcept>
 #include <vector>
 
-#include "backend/graph_cost.h"
-#include "backend/graph_index.h"
-#include "backend/initial_guess.h"
-#include "backend/settings.h"
+#include "backend/cost/graph_cost.h"
+#include "backend/graph/graph_index.h"
+#include "backend/initialization/chordal_initialization.h"
+#include "backend/initialization/initial_guess.h"
+#include "backend/plugin/settings.h"
+#include "backend/sparse/graph_structure.h"
 #include "plugins/ceres/edge_cost_function.h"
-#include "plugins/spa/chordal_initialization.h"
-#include "plugins/spa/graph_structure.h"
 
 namespace gmapping_spa::ceres_backend {
 namespace {

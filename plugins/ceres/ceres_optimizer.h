@@ -2,7 +2,7 @@
 #ifndef GMAPPING_SPA_PLUGINS_CERES_CERES_OPTIMIZER_H_
 #define GMAPPING_SPA_PLUGINS_CERES_CERES_OPTIMIZER_H_
 
-#include "backend/optimizer.h"
+#include "backend/plugin/optimizer.h"
 
 namespace gmapping_spa::ceres_backend {
 

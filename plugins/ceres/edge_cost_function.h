@@ -7,7 +7,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
-#include "backend/edge_error.h"
+#include "backend/cost/edge_error.h"
 
 namespace gmapping_spa::ceres_backend {
 

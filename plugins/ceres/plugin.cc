@@ -1,4 +1,4 @@
-#include "backend/plugin.h"
+#include "backend/plugin/plugin.h"
 #include "plugins/ceres/ceres_optimizer.h"
 
 GMAPPING_SPA_BACKEND_PLUGIN(

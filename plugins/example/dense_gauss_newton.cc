@@ -2,10 +2,10 @@
 #include <Eigen/Cholesky>
 #include <vector>
 
-#include "backend/edge_error.h"
-#include "backend/graph_cost.h"
-#include "backend/plugin.h"
-#include "backend/settings.h"
+#include "backend/cost/edge_error.h"
+#include "backend/cost/graph_cost.h"
+#include "backend/plugin/plugin.h"
+#include "backend/plugin/settings.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // The back end that changes nothing: what the front end does without one.
-#include "backend/plugin.h"
-#include "backend/graph_cost.h"
-#include "backend/settings.h"
+#include "backend/plugin/plugin.h"
+#include "backend/cost/graph_cost.h"
+#include "backend/plugin/settings.h"
 
 namespace gmapping_spa::none {
 namespace {

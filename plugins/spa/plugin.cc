@@ -1,5 +1,5 @@
-#include "backend/plugin.h"
-#include "plugins/spa/spa_optimizer.h"
+#include "backend/plugin/plugin.h"
+#include "backend/spa/spa_optimizer.h"
 
 GMAPPING_SPA_BACKEND_PLUGIN(
     gmapping_spa::spa::SpaOptimizer, "spa",

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "backend/trajectory_io.h"
+#include "backend/graph/trajectory_io.h"
 #include "experiments/apps/input_file.h"
 #include "experiments/metrics/relations.h"
 #include "tests/real_data.h"

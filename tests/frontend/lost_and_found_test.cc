@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "backend/counter_random.h"
-#include "backend/optimize_safely.h"
+#include "backend/scheduling/optimize_safely.h"
+#include "backend/spa/spa_optimizer.h"
 #include "frontend/improved_gmapping.h"
 #include "frontend/scan_matching/gauss_newton.h"
-#include "plugins/spa/spa_optimizer.h"
 #include "tests/frontend/loop_closure/hall.h"
 #include "tests/frontend/loop_closure/loop_world.h"
 

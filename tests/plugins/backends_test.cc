@@ -7,11 +7,11 @@
 #include <limits>
 #include <numbers>
 
-#include "backend/g2o_io.h"
-#include "backend/graph_cost.h"
-#include "backend/initial_guess.h"
-#include "backend/optimize_safely.h"
-#include "backend/plugin_loader.h"
+#include "backend/cost/graph_cost.h"
+#include "backend/graph/g2o_io.h"
+#include "backend/initialization/initial_guess.h"
+#include "backend/plugin/plugin_loader.h"
+#include "backend/scheduling/optimize_safely.h"
 #include "tests/backend/random_graph.h"
 #include "tests/real_data.h"
 

@@ -7,9 +7,9 @@
 #include <ctime>
 #include <fstream>
 
-#include "backend/g2o_io.h"
-#include "backend/graph_cost.h"
-#include "backend/plugin_loader.h"
+#include "backend/cost/graph_cost.h"
+#include "backend/graph/g2o_io.h"
+#include "backend/plugin/plugin_loader.h"
 #include "tests/real_data.h"
 
 namespace gmapping_spa::backend {

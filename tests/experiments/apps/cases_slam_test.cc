@@ -6,7 +6,7 @@
 #include <iostream>
 #include <string>
 
-#include "backend/trajectory_io.h"
+#include "backend/graph/trajectory_io.h"
 #include "experiments/apps/input_file.h"
 #include "experiments/metrics/association.h"
 #include "experiments/metrics/trajectory_error.h"

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <string>
 
-#include "backend/trajectory_io.h"
+#include "backend/graph/trajectory_io.h"
 #include "experiments/apps/input_file.h"
 #include "experiments/apps/json.h"
 #include "experiments/metrics/relations.h"

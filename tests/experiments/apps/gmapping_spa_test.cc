@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "backend/g2o_io.h"
+#include "backend/graph/g2o_io.h"
 #include "experiments/apps/input_file.h"
 #include "frontend/map/map_server_io.h"
 #include "tests/experiments/apps/gmapping_spa_tour.h"

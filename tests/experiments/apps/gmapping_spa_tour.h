@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "backend/trajectory_io.h"
+#include "backend/graph/trajectory_io.h"
 #include "experiments/apps/json.h"
 #include "experiments/metrics/association.h"
 #include "experiments/metrics/trajectory_error.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "backend/g2o_io.h"
-#include "backend/graph_cost.h"
+#include "backend/cost/graph_cost.h"
+#include "backend/graph/g2o_io.h"
 #include "tests/run_command.h"
 #include "tests/temporary_folder.h"
 

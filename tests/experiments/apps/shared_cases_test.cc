@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "backend/trajectory_io.h"
+#include "backend/graph/trajectory_io.h"
 #include "experiments/apps/input_file.h"
 #include "experiments/metrics/trajectory_error.h"
 #include "frontend/map/map_server_io.h"

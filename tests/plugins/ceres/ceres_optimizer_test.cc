@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "backend/graph_cost.h"
-#include "plugins/spa/spa_optimizer.h"
+#include "backend/cost/graph_cost.h"
+#include "backend/spa/spa_optimizer.h"
 #include "tests/backend/random_graph.h"
 
 namespace gmapping_spa::ceres_backend {

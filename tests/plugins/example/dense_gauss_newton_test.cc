@@ -1,9 +1,9 @@
 // The example back end, built against the installed package, next to spa.
 #include <gtest/gtest.h>
 
-#include "backend/graph_cost.h"
-#include "backend/optimize_safely.h"
-#include "backend/plugin_loader.h"
+#include "backend/cost/graph_cost.h"
+#include "backend/plugin/plugin_loader.h"
+#include "backend/scheduling/optimize_safely.h"
 #include "tests/backend/random_graph.h"
 
 namespace gmapping_spa::backend {

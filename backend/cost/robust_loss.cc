@@ -1,0 +1,70 @@
+#include "backend/cost/robust_loss.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace gmapping_spa::backend {
+namespace {
+
+constexpr LossKind kAllKinds[] = {LossKind::kNone, LossKind::kHuber, LossKind::kCauchy,
+                                  LossKind::kDcs, LossKind::kTruncated};
+
+LossValue EvaluateTruncated(double k2, double mu, double s) {
+  if (std::isinf(mu)) return s <= k2 ? LossValue{s, 1.0} : LossValue{k2, 0.0};
+  if (s <= mu / (mu + 1.0) * k2) return {s, 1.0};
+  if (s >= (mu + 1.0) / mu * k2) return {k2, 0.0};
+  const double root = std::sqrt(k2 * s * mu * (mu + 1.0));
+  return {2.0 * root - mu * (k2 + s), root / s - mu};
+}
+
+}  // namespace
+
+LossValue EvaluateLoss(const Loss& loss, double s) {
+  const double k2 = loss.scale * loss.scale;
+  switch (loss.kind) {
+    case LossKind::kNone:
+      break;
+    case LossKind::kHuber: {
+      if (s <= k2) break;
+      const double root = std::sqrt(s);
+      return {2.0 * loss.scale * root - k2, loss.scale / root};
+    }
+    case LossKind::kCauchy:
+      return {k2 * std::log1p(s / k2), 1.0 / (1.0 + s / k2)};
+    case LossKind::kDcs: {
+      if (s <= k2) break;
+      const double scaling = 2.0 * k2 / (k2 + s);
+      return {2.0 * scaling * s - k2, scaling * scaling};
+    }
+    case LossKind::kTruncated:
+      return EvaluateTruncated(k2, loss.control, s);
+  }
+  return {s, 1.0};
+}
+
+const char* LossKindName(LossKind kind) {
+  switch (kind) {
+    case LossKind::kNone:
+      return "none";
+    case LossKind::kHuber:
+      return "huber";
+    case LossKind::kCauchy:
+      return "cauchy";
+    case LossKind::kDcs:
+      return "dcs";
+    case LossKind::kTruncated:
+      return "truncated";
+  }
+  return "unknown";
+}
+
+LossKind LossKindFromName(const std::string& name) {
+  std::string names;
+  for (const LossKind kind : kAllKinds) {
+    if (name == LossKindName(kind)) return kind;
+    names += (names.empty() ? "" : ", ") + std::string(LossKindName(kind));
+  }
+  throw std::runtime_error("expected a loss out of " + names + ", got '" + name + "'");
+}
+
+}  // namespace gmapping_spa::backend

@@ -1,0 +1,191 @@
+#include "backend/plugin/plugin_loader.h"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "backend/plugin/plugin_abi.h"
+
+namespace gmapping_spa::backend {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kPrefix[] = "libgmapping_spa_";
+constexpr char kSuffix[] = ".so";
+
+// Opens the plugin and checks that the rest of its table is what this code takes it for.
+const PluginTable& OpenPlugin(const std::string& path) {
+  const auto fail = [&](const std::string& why) {
+    std::string message = "cannot load the back end " + path + ": " + why;
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    throw std::runtime_error(message);
+  };
+  if (std::error_code error; !fs::is_regular_file(path, error)) fail("there is no such file");
+  // Never closed: libraries that plugins bring along do not expect to be unloaded.
+  void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) fail(dlerror());
+  using EntryPoint = const PluginTable* (*)();
+  const auto entry_point = reinterpret_cast<EntryPoint>(dlsym(library, kPluginEntryPoint));
+  if (entry_point == nullptr) {
+    fail("it has no function " + std::string(kPluginEntryPoint));
+  }
+  const PluginTable* table = nullptr;
+  try {
+    table = entry_point();
+  } catch (...) {
+    fail("its entry point threw an exception");
+  }
+  if (table == nullptr) fail("its entry point returned nothing");
+  if (table->abi_version != kPluginAbiVersion) {
+    fail("it has ABI version " + std::to_string(table->abi_version) + ", expected " +
+         std::to_string(kPluginAbiVersion) + "; rebuild it");
+  }
+  if (table->name == nullptr || table->description == nullptr || table->create == nullptr ||
+      table->destroy == nullptr || table->optimize == nullptr) {
+    fail("its table is incomplete");
+  }
+  return *table;
+}
+
+PluginReport ReportInto(Summary* summary) {
+  PluginReport report{};
+  report.context = summary;
+  report.set_outcome = [](void* context, Termination termination, const char* message,
+                          double initial_cost, double final_cost) {
+    Summary& to = *static_cast<Summary*>(context);
+    to.termination = termination;
+    to.message = message == nullptr ? "" : message;
+    to.initial_cost = initial_cost;
+    to.final_cost = final_cost;
+  };
+  report.add_iteration = [](void* context, const IterationRecord* record) {
+    static_cast<Summary*>(context)->iterations.push_back(*record);
+  };
+  return report;
+}
+
+// An optimizer on the other side of the boundary. Plugins made with plugin.h let no exception out;
+// others may.
+class PluginOptimizer : public Optimizer {
+ public:
+  PluginOptimizer(const std::string& path, const PluginTable& table) : table_(table) {
+    Summary summary;
+    const PluginReport report = ReportInto(&summary);
+    try {
+      optimizer_ = table_.create(&report);
+    } catch (const std::exception& error) {
+      summary.message = error.what();
+    } catch (...) {
+      summary.message = "an exception of unknown type";
+    }
+    if (optimizer_ == nullptr) {
+      throw std::runtime_error("the back end " + path +
+                               " cannot make an optimizer: " + summary.message);
+    }
+  }
+  ~PluginOptimizer() override {
+    try {
+      table_.destroy(optimizer_);
+    } catch (...) {
+      // Nobody is left to be told.
+    }
+  }
+  PluginOptimizer(const PluginOptimizer&) = delete;
+  PluginOptimizer& operator=(const PluginOptimizer&) = delete;
+
+  Summary Optimize(const Options& options, std::span<const Edge> edges,
+                   std::span<Node> nodes) override {
+    std::vector<PluginSetting> settings;
+    for (const auto& [name, value] : options.settings) {
+      settings.push_back({name.c_str(), value.c_str()});
+    }
+    const PluginOptions plain_options{options.max_iterations, options.initialization,
+                                      options.cost_tolerance, options.loss,
+                                      settings.data(),        settings.size()};
+    const PluginGraph plain_graph{nodes.data(), nodes.size(), edges.data(), edges.size()};
+    Summary summary;
+    const PluginReport report = ReportInto(&summary);
+    table_.optimize(optimizer_, &plain_options, &plain_graph, &report);
+    return summary;
+  }
+
+ private:
+  const PluginTable& table_;
+  void* optimizer_ = nullptr;
+};
+
+std::string FindPlugin(const std::string& name, const std::vector<std::string>& folders) {
+  if (name.find('/') != std::string::npos) return name;
+  std::string searched;
+  for (const std::string& folder : folders) {
+    const fs::path path = fs::path(folder) / (kPrefix + name + kSuffix);
+    if (std::error_code error; fs::is_regular_file(path, error)) return path.string();
+    searched += (searched.empty() ? "" : ":") + folder;
+  }
+  throw std::runtime_error("there is no back end '" + name + "' (" + kPrefix + name + kSuffix +
+                           ") in " + searched);
+}
+
+}  // namespace
+
+std::vector<std::string> PluginSearchPath() {
+  std::vector<std::string> folders;
+  if (const char* const path = std::getenv("GMAPPING_SPA_PLUGIN_PATH"); path != nullptr) {
+    std::istringstream parts(path);
+    for (std::string folder; std::getline(parts, folder, ':');) {
+      if (!folder.empty()) folders.push_back(folder);
+    }
+  }
+  std::error_code error;
+  const fs::path executable = fs::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    folders.push_back(
+        (executable.parent_path().parent_path() / GMAPPING_SPA_PLUGIN_FOLDER).string());
+  }
+  folders.push_back(GMAPPING_SPA_INSTALLED_PLUGIN_FOLDER);
+  return folders;
+}
+
+std::unique_ptr<Optimizer> LoadOptimizer(const std::string& name,
+                                         const std::vector<std::string>& folders) {
+  const std::string path = FindPlugin(name, folders);
+  return std::make_unique<PluginOptimizer>(path, OpenPlugin(path));
+}
+
+std::unique_ptr<Optimizer> LoadOptimizer(const std::string& name) {
+  return LoadOptimizer(name, PluginSearchPath());
+}
+
+std::vector<BackendDescription> ListBackends(const std::vector<std::string>& folders) {
+  std::map<std::string, BackendDescription> found;
+  for (const std::string& folder : folders) {
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+      const std::string file = entry.path().filename().string();
+      if (!file.starts_with(kPrefix) || entry.path().extension() != kSuffix) continue;
+      const std::string name = entry.path().stem().string().substr(sizeof(kPrefix) - 1);
+      if (found.contains(name)) continue;
+      BackendDescription backend{name, entry.path().string(), "", true};
+      try {
+        backend.description = OpenPlugin(backend.path).description;
+      } catch (const std::runtime_error& failure) {
+        backend.description = failure.what();
+        backend.loadable = false;
+      }
+      found.emplace(name, std::move(backend));
+    }
+  }
+  std::vector<BackendDescription> backends;
+  backends.reserve(found.size());
+  for (auto& [name, backend] : found) backends.push_back(std::move(backend));
+  return backends;
+}
+
+}  // namespace gmapping_spa::backend

@@ -1,0 +1,43 @@
+// Back ends that break one rule each, chosen by a macro: what a loader has to live with.
+#include <limits>
+#include <stdexcept>
+
+#include "backend/plugin/plugin.h"
+
+namespace gmapping_spa::backend {
+namespace {
+
+class Misbehaving : public Optimizer {
+ public:
+  Misbehaving() {
+#if defined(THROWING_FACTORY)
+    throw std::runtime_error("no licence found");
+#endif
+  }
+  Summary Optimize(const Options&, std::span<const Edge>, std::span<Node> nodes) override {
+#if defined(THROWING)
+    throw std::runtime_error("out of cheese");
+#endif
+    for (Node& node : nodes) node.world_T_node.x = std::numeric_limits<double>::quiet_NaN();
+    Summary summary;
+    summary.termination = Termination::kConverged;
+    return summary;
+  }
+};
+
+}  // namespace
+}  // namespace gmapping_spa::backend
+
+using gmapping_spa::backend::Misbehaving;
+
+#if defined(WRONG_ABI)
+extern "C" const gmapping_spa::backend::PluginTable* gmapping_spa_backend_plugin() {
+  static const gmapping_spa::backend::PluginTable table = {
+      gmapping_spa::backend::kPluginAbiVersion + 1, "wrong", "", nullptr, nullptr, nullptr};
+  return &table;
+}
+#elif defined(THROWING_ENTRY_POINT)
+extern "C" const gmapping_spa::backend::PluginTable* gmapping_spa_backend_plugin() { throw 42; }
+#elif !defined(WITHOUT_ENTRY_POINT)
+GMAPPING_SPA_BACKEND_PLUGIN(Misbehaving, "misbehaving", "breaks one rule");
+#endif

@@ -1,0 +1,127 @@
+#include "backend/plugin/plugin_loader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "backend/scheduling/optimize_safely.h"
+#include "tests/backend/random_graph.h"
+
+namespace gmapping_spa::backend {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::Field;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::vector<std::string> kFolders = {TEST_PLUGIN_FOLDER};
+
+std::string ErrorOf(const std::string& name) {
+  try {
+    LoadOptimizer(name, kFolders);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string PathOf(const std::string& name) {
+  return std::string(TEST_PLUGIN_FOLDER) + "/libgmapping_spa_" + name + ".so";
+}
+
+TEST(LoadOptimizer, FindsBackEndsByNameInTheBuildTree) {
+  PoseGraph graph = RandomGraph(1);
+  for (const char* name : {"none", "spa", "ceres"}) {
+    const std::unique_ptr<Optimizer> optimizer = LoadOptimizer(name);
+    EXPECT_NE(OptimizeSafely({}, optimizer.get(), &graph).termination, Termination::kFailure)
+        << name;
+  }
+}
+
+TEST(LoadOptimizer, TakesAPathForAFile) {
+  EXPECT_EQ(ErrorOf(PathOf("nan")), "no error");
+  EXPECT_EQ(ErrorOf("/no/such/libmine.so"),
+            "cannot load the back end /no/such/libmine.so: there is no such file");
+}
+
+TEST(LoadOptimizer, SaysWhereItSearchedInVain) {
+  EXPECT_EQ(ErrorOf("missing"),
+            "there is no back end 'missing' (libgmapping_spa_missing.so) in " TEST_PLUGIN_FOLDER);
+}
+
+TEST(LoadOptimizer, SaysWhatIsWrongWithAPlugin) {
+  EXPECT_THAT(ErrorOf("wrong_abi"), HasSubstr("it has ABI version 2, expected 1; rebuild it"));
+  EXPECT_THAT(ErrorOf("without_entry_point"),
+              HasSubstr("it has no function gmapping_spa_backend_plugin"));
+  EXPECT_THAT(ErrorOf("throwing_entry_point"), HasSubstr("its entry point threw an exception"));
+  EXPECT_THAT(ErrorOf("throwing_factory"), HasSubstr("cannot make an optimizer: no licence found"));
+}
+
+TEST(LoadOptimizer, SaysThatAFileIsNoLibrary) {
+  const std::string path = ::testing::TempDir() + "/libnot.so";
+  std::ofstream(path) << "not a library";
+  EXPECT_THAT(ErrorOf(path),
+              AllOf(HasSubstr(path), HasSubstr("cannot load the back end"), Not(HasSubstr("\n"))));
+  std::filesystem::remove(path);
+}
+
+TEST(LoadOptimizer, ContainsWhatAPluginThrowsAndReturns) {
+  PoseGraph graph = RandomGraph(1);
+  const SE2 before = graph.nodes[3].world_T_node;
+  std::unique_ptr<Optimizer> optimizer = LoadOptimizer("throwing", kFolders);
+  Summary summary = OptimizeSafely({}, optimizer.get(), &graph);
+  EXPECT_EQ(summary.termination, Termination::kFailure);
+  EXPECT_EQ(summary.message, "out of cheese");
+  optimizer = LoadOptimizer("nan", kFolders);
+  summary = OptimizeSafely({}, optimizer.get(), &graph);
+  EXPECT_EQ(summary.termination, Termination::kFailure);
+  EXPECT_THAT(summary.message, HasSubstr("not finite"));
+  EXPECT_EQ(graph.nodes[3].world_T_node, before);
+}
+
+TEST(LoadOptimizer, CarriesOptionsAndIterationsAcrossTheBoundary) {
+  PoseGraph graph = RandomGraph(1);
+  const std::unique_ptr<Optimizer> optimizer = LoadOptimizer("spa");
+  Options options;
+  options.max_iterations = 2;
+  options.cost_tolerance = 0.0;
+  const Summary summary = optimizer->Optimize(options, graph.edges, graph.nodes);
+  EXPECT_EQ(summary.termination, Termination::kNoConvergence);
+  EXPECT_EQ(summary.iterations.size(), 2u);
+  options.settings["slover"] = "block";
+  const Summary failed = optimizer->Optimize(options, graph.edges, graph.nodes);
+  EXPECT_EQ(failed.termination, Termination::kFailure);
+  EXPECT_THAT(failed.message, HasSubstr("unknown setting slover"));
+}
+
+TEST(PluginSearchPath, StartsWithTheEnvironment) {
+  setenv("GMAPPING_SPA_PLUGIN_PATH", "/first::/second", 1);
+  const std::vector<std::string> folders = PluginSearchPath();
+  unsetenv("GMAPPING_SPA_PLUGIN_PATH");
+  ASSERT_GE(folders.size(), 3u);
+  EXPECT_EQ(folders[0], "/first");
+  EXPECT_EQ(folders[1], "/second");
+}
+
+TEST(ListBackends, DescribesGoodOnesAndSaysWhatIsWrongWithOthers) {
+  std::vector<std::string> folders = PluginSearchPath();
+  folders.insert(folders.end(), kFolders.begin(), kFolders.end());
+  const std::vector<BackendDescription> backends = ListBackends(folders);
+  EXPECT_THAT(backends, Contains(AllOf(Field(&BackendDescription::name, "spa"),
+                                       Field(&BackendDescription::loadable, true),
+                                       Field(&BackendDescription::description,
+                                             HasSubstr("Sparse Pose Adjustment")))));
+  EXPECT_THAT(backends,
+              Contains(AllOf(Field(&BackendDescription::name, "wrong_abi"),
+                             Field(&BackendDescription::loadable, false),
+                             Field(&BackendDescription::description, HasSubstr("ABI version")))));
+}
+
+}  // namespace
+}  // namespace gmapping_spa::backend

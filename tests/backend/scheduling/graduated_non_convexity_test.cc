@@ -1,0 +1,67 @@
+#include "backend/scheduling/graduated_non_convexity.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <stdexcept>
+
+#include "backend/cost/graph_cost.h"
+#include "backend/plugin/plugin_loader.h"
+#include "backend/scheduling/optimize_safely.h"
+#include "tests/backend/random_graph.h"
+
+namespace gmapping_spa::backend {
+namespace {
+
+constexpr RandomGraphOptions kGoodGraph = {
+    .nodes = 60, .loop_closures = 60, .measurement_noise = 0.02, .pose_noise = 0.5};
+
+Options Truncated() {
+  Options options;
+  options.loss = {LossKind::kTruncated, 4.0};
+  return options;
+}
+
+TEST(OptimizeGradually, GivesWrongLoopClosuresNoSay) {
+  for (const char* name : {"spa", "ceres"}) {
+    const std::unique_ptr<Optimizer> optimizer = LoadOptimizer(name);
+    for (unsigned seed = 0; seed < 5; ++seed) {
+      PoseGraph clean = RandomGraph(seed, kGoodGraph), spoiled = clean;
+      OptimizeSafely({}, optimizer.get(), &clean);
+      std::mt19937 random(seed);
+      std::uniform_int_distribution<int> any(0, kGoodGraph.nodes - 1);
+      for (int k = 0; k < 15; ++k) {
+        const int i = any(random), j = (i + 20 + k) % kGoodGraph.nodes;
+        spoiled.edges.push_back(
+            {i, j, {0, 0, 1}, 300 * Eigen::Matrix3d::Identity(), EdgeKind::kLoopClosure});
+      }
+      const Summary summary = OptimizeGradually(Truncated(), optimizer.get(), &spoiled);
+      EXPECT_EQ(summary.termination, Termination::kConverged);
+      EXPECT_EQ(summary.final_cost, GraphCost(spoiled, Truncated().loss));
+      for (std::size_t k = 0; k < clean.nodes.size(); ++k) {
+        const SE2 error = Between(clean.nodes[k].world_T_node, spoiled.nodes[k].world_T_node);
+        EXPECT_LT(error.translation().norm(), 0.1) << name << " " << seed << " " << k;
+      }
+    }
+  }
+}
+
+TEST(OptimizeGradually, EndsNoWorseThanItBegan) {
+  const std::unique_ptr<Optimizer> optimizer = LoadOptimizer("spa");
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    PoseGraph graph = RandomGraph(seed, {.measurement_noise = 0.5, .pose_noise = 0.3});
+    const double initial_cost = GraphCost(graph, Truncated().loss);
+    const Summary summary = OptimizeGradually(Truncated(), optimizer.get(), &graph);
+    EXPECT_EQ(summary.initial_cost, initial_cost);
+    EXPECT_LE(GraphCost(graph, Truncated().loss), initial_cost);
+  }
+}
+
+TEST(OptimizeGradually, NeedsTheTruncatedLoss) {
+  PoseGraph graph = RandomGraph(1);
+  const std::unique_ptr<Optimizer> optimizer = LoadOptimizer("none");
+  EXPECT_THROW(OptimizeGradually({}, optimizer.get(), &graph), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace gmapping_spa::backend

@@ -1,0 +1,53 @@
+#include "backend/sparse/symbolic_factor.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/backend/random_graph.h"
+#include "tests/backend/sparse/dense.h"
+
+namespace gmapping_spa::spa {
+namespace {
+
+TEST(ExtendPattern, FindsTheEntriesOfTheDenseFactor) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    const BlockStructure structure =
+        OrderByMinimumDegree(backend::IndexGraph(backend::RandomGraph(seed)));
+    SymbolicFactor factor;
+    ExtendPattern(structure, &factor);
+    const Eigen::MatrixXd l = Dense<2>(structure, RandomMatrix<2>(structure, seed)).llt().matrixL();
+    std::int64_t products = 0;
+    std::vector<int> in_column(structure.columns(), 0);
+    for (int k = 0; k < structure.columns(); ++k) {
+      std::vector<int> row;
+      for (int i = 0; i < k; ++i) {
+        if (l.block<2, 2>(2 * k, 2 * i).norm() > 1e-13) row.push_back(i);
+      }
+      EXPECT_EQ(row, std::vector<int>(factor.row_pattern.begin() + factor.row_begin[k],
+                                      factor.row_pattern.begin() + factor.row_begin[k + 1]));
+      for (const int i : row) products += ++in_column[i];
+    }
+    EXPECT_EQ(factor.block_products, products);
+    for (int k = 0; k < structure.columns(); ++k) {
+      EXPECT_EQ(factor.column_begin[k + 1] - factor.column_begin[k], in_column[k]);
+    }
+  }
+}
+
+TEST(ExtendPattern, AnalysesNewColumnsAloneToTheSameEnd) {
+  const BlockStructure whole = OrderByMinimumDegree(backend::IndexGraph(backend::RandomGraph(3)));
+  BlockStructure part = whole;
+  part.node_of_column.resize(12);
+  part.begin.resize(13);
+  SymbolicFactor in_two_steps, at_once;
+  ExtendPattern(part, &in_two_steps);
+  ExtendPattern(whole, &in_two_steps);
+  ExtendPattern(whole, &at_once);
+  EXPECT_EQ(in_two_steps.row_pattern, at_once.row_pattern);
+  EXPECT_EQ(in_two_steps.row_begin, at_once.row_begin);
+  EXPECT_EQ(in_two_steps.column_begin, at_once.column_begin);
+  EXPECT_EQ(in_two_steps.parent, at_once.parent);
+  EXPECT_EQ(in_two_steps.block_products, at_once.block_products);
+}
+
+}  // namespace
+}  // namespace gmapping_spa::spa
