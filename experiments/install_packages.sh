@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that the project needs, where they are missing and this user may.
-#   install_packages.sh [experiments] [slurm]
-# experiments: studies and their reports; slurm: a Slurm on this machine, to test studies on clusters.
+#   install_packages.sh [checks] [docs] [experiments] [slurm]
+# checks: formatting and clang-tidy; docs: the documentation as a site; experiments: studies and their
+# reports; slurm: a Slurm on this machine, to test studies on clusters.
 set -euo pipefail
 
 packages=(
@@ -16,13 +17,15 @@ packages=(
 )
 for option in "$@"; do
   case $option in
+    checks) packages+=(clang-format clang-tidy) ;;
+    docs) packages+=(doxygen) ;;
     experiments)
       packages+=(chromium chromium-driver python3-jinja2 python3-matplotlib python3-numpy
         python3-pil python3-scipy python3-yaml snakemake)
       ;;
     slurm) packages+=(munge slurm-client slurmctld slurmd) ;;
     *)
-      echo "install_packages.sh: expected 'experiments' or 'slurm', found '$option'" >&2
+      echo "install_packages.sh: expected 'checks', 'docs', 'experiments' or 'slurm', found '$option'" >&2
       exit 1
       ;;
   esac
