@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
-# Installs the Debian 12 packages that the project needs, where they are missing and this user may.
-#   install_packages.sh [experiments] [slurm]
-# experiments: studies and their reports; slurm: a Slurm on this machine, to test studies on clusters.
+# Installs the packages of Debian 12 or Ubuntu 24.04 that the project needs, where they are missing and
+# this user may.
+#   install_packages.sh [checks] [docs] [experiments] [slurm]
+# checks: formatting and clang-tidy; docs: the documentation as a site; experiments: studies and their
+# reports; slurm: a Slurm on this machine, to test studies on clusters.
 set -euo pipefail
 
 packages=(
@@ -16,13 +18,17 @@ packages=(
 )
 for option in "$@"; do
   case $option in
+    checks) packages+=(clang-format clang-tidy) ;;
+    docs) packages+=(doxygen) ;;
     experiments)
-      packages+=(chromium chromium-driver python3-jinja2 python3-matplotlib python3-numpy
-        python3-pil python3-scipy python3-yaml snakemake)
+      packages+=(python3-jinja2 python3-matplotlib python3-numpy python3-pil python3-scipy
+        python3-yaml snakemake)
+      # Ubuntu has it as a snap only; the test that looks at a report in a browser is skipped there.
+      grep -q '^ID=ubuntu' /etc/os-release || packages+=(chromium chromium-driver)
       ;;
     slurm) packages+=(munge slurm-client slurmctld slurmd) ;;
     *)
-      echo "install_packages.sh: expected 'experiments' or 'slurm', found '$option'" >&2
+      echo "install_packages.sh: expected 'checks', 'docs', 'experiments' or 'slurm', found '$option'" >&2
       exit 1
       ;;
   esac

@@ -1,18 +1,31 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs every test.
-#   tests/run.sh            release build, all tests; then the sanitizers: short tests with ASan and
-#                           UBSan, those with threads with TSan
-#   tests/run.sh PRESET...  only these presets: release, dev, asan, tsan
+#   tests/run.sh          the format, a sample of clang-tidy, the release build and all tests; then the
+#                         sanitizers: short tests with ASan and UBSan, those with threads with TSan
+#   tests/run.sh STEP...  only these: format, tidy, docs, or a preset: release, dev, asan, tsan
 # Tests on real logs find them in $GMAPPING_SPA_DATA or ../shared/data, and are skipped elsewhere.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-experiments/install_packages.sh experiments
-presets=("$@")
-[[ ${#presets[@]} -gt 0 ]] || presets=(release asan tsan)
-for preset in "${presets[@]}"; do
-  echo "== $preset"
-  cmake --preset "$preset" >/dev/null
-  cmake --build --preset "$preset"
-  ctest --preset "$preset" -j "$(nproc)"
+experiments/install_packages.sh checks experiments
+experiments/install_packages.sh docs ||
+  echo "run.sh: without Doxygen the documentation is not tested" >&2
+steps=("$@")
+[[ ${#steps[@]} -gt 0 ]] || steps=(format tidy release asan tsan)
+for step in "${steps[@]}"; do
+  echo "== $step"
+  case $step in
+    format) tests/check_format.sh ;;
+    tidy) tests/check_tidy.sh ;;
+    docs)  # with release, a test builds them
+      cmake --preset release >/dev/null
+      cmake --build --preset release --target gmapping_spa_apps
+      experiments/docs/build_docs.sh
+      ;;
+    *)
+      cmake --preset "$step" >/dev/null
+      cmake --build --preset "$step"
+      ctest --preset "$step" -j "$(nproc)"
+      ;;
+  esac
 done

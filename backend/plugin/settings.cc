@@ -1,5 +1,6 @@
 #include "backend/plugin/settings.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <sstream>
@@ -60,18 +61,23 @@ std::string SettingsReader::Choice(const std::string& name,
   std::string all;
   for (const char* choice : choices) {
     if (*text == choice) return choice;
-    all += (all.empty() ? "" : ", ") + std::string(choice);
+    if (!all.empty()) all += ", ";
+    all += choice;
   }
   Fail(name, *text, "one of " + all);
 }
 
 void SettingsReader::RejectOthers() const {
-  for (const auto& [name, value] : settings_) {
-    if (known_.contains(name)) continue;
-    std::string all;
-    for (const std::string& known : known_) all += (all.empty() ? "" : ", ") + known;
-    throw std::runtime_error("unknown setting " + name + ": expected one of " + all);
+  const auto unknown = std::find_if(settings_.begin(), settings_.end(), [&](const auto& setting) {
+    return !known_.contains(setting.first);
+  });
+  if (unknown == settings_.end()) return;
+  std::string all;
+  for (const std::string& known : known_) {
+    if (!all.empty()) all += ", ";
+    all += known;
   }
+  throw std::runtime_error("unknown setting " + unknown->first + ": expected one of " + all);
 }
 
 }  // namespace gmapping_spa::backend

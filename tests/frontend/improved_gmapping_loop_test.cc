@@ -17,6 +17,7 @@
 #include "frontend/improved_gmapping.h"
 #include "frontend/scan_matching/gauss_newton.h"
 #include "tests/frontend/loop_closure/loop_world.h"
+#include "tests/frontend/room_map.h"
 
 namespace gmapping_spa::frontend {
 namespace {
@@ -210,7 +211,10 @@ TEST_F(LoopDrive, EstimateOnTheWayHasEverythingSoFar) {
   const Estimate estimate = gmapping->CurrentEstimate();
   EXPECT_LT(LargestError(estimate.trajectory), 0.2);
   EXPECT_EQ(estimate.graph.nodes.size(), static_cast<std::size_t>(gmapping->counts().updates));
-  EXPECT_GT(estimate.map.CountTiles(), 20u);
+  for (std::size_t k = 0; k < scans_.size(); k += 20) {
+    const SE2 world_T_robot = Between(truth_.front(), truth_[k]);
+    EXPECT_GT(synthetic::FittingPart(estimate.map, scans_[k], world_T_robot), 0.92) << k;
+  }
 }
 
 TEST_F(LoopDrive, ABackEndThatMisbehavesIsAsGoodAsNone) {

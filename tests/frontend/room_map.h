@@ -22,6 +22,34 @@ inline map::OccupancyGrid MapFrom(const Walls& walls,
   return grid;
 }
 
+// Part of the beams of `scan`, taken at `world_T_robot`, that fit `grid`: they end within a cell of
+// one in which beams have ended, and meet none of these half way. Needs at least one beam that
+// hits.
+inline double FittingPart(const map::OccupancyGrid& grid, const sensor::LaserScan& scan,
+                          const backend::SE2& world_T_robot) {
+  const backend::SE2 world_T_laser = world_T_robot * scan.robot_T_laser;
+  const auto hit_near = [&](const sensor::Beam& beam, double range_m, int cells) {
+    const Eigen::Vector2d point =
+        world_T_laser *
+        Eigen::Vector2d(range_m * std::cos(beam.angle_rad), range_m * std::sin(beam.angle_rad));
+    const int x = map::FloorToCell(point.x() / grid.resolution_m());
+    const int y = map::FloorToCell(point.y() / grid.resolution_m());
+    for (int dy = -cells; dy <= cells; ++dy) {
+      for (int dx = -cells; dx <= cells; ++dx) {
+        if (grid.cell({x + dx, y + dy}).hits > 0) return true;
+      }
+    }
+    return false;
+  };
+  int hits = 0, fitting = 0;
+  for (const sensor::Beam& beam : scan.beams) {
+    if (beam.status != sensor::BeamStatus::kHit) continue;
+    ++hits;
+    fitting += hit_near(beam, beam.range_m, 1) && !hit_near(beam, 0.5 * beam.range_m, 0);
+  }
+  return static_cast<double>(fitting) / hits;
+}
+
 // Of Room(): from a dozen places in it, three ways each.
 inline map::OccupancyGrid RoomMap() {
   std::vector<backend::SE2> poses;

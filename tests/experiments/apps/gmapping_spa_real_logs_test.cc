@@ -58,11 +58,12 @@ class DefaultFlagsOnRealLogs : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(DefaultFlagsOnRealLogs, IntelIsPrecise) { ExpectRelationError("intel", 0.0195); }
+// The bounds are 4 % above what three seeds give, which differ by 2 % at most.
+TEST_F(DefaultFlagsOnRealLogs, IntelIsPrecise) { ExpectRelationError("intel", 0.0136); }
 
-TEST_F(DefaultFlagsOnRealLogs, Fr079IsPrecise) { ExpectRelationError("fr079", 0.0352); }
+TEST_F(DefaultFlagsOnRealLogs, Fr079IsPrecise) { ExpectRelationError("fr079", 0.0335); }
 
-TEST_F(DefaultFlagsOnRealLogs, AcesIsPrecise) { ExpectRelationError("aces", 0.0375); }
+TEST_F(DefaultFlagsOnRealLogs, AcesIsPrecise) { ExpectRelationError("aces", 0.0363); }
 
 // 150 s.
 TEST_F(DefaultFlagsOnRealLogs, AcesBeginsWithoutAClosure) { ExpectNoClosures("aces", 1800); }
