@@ -52,6 +52,7 @@ class ImprovedGmapping {
     // Without it the result is what the best particle knows.
     bool make_final_round = true;
     FinalRound::Options final_round;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   struct Counts {
