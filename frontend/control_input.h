@@ -28,6 +28,7 @@ class ControlInput {
     OdometrySource source = OdometrySource::kScanMatched;
     sensor::OdometryCheck::Options check;
     ScanOdometry::Options scan_odometry;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   // `health` must outlive this.

@@ -36,6 +36,7 @@ class FinalRound {
     double refined_sigma_m = 0.02;
     double refined_sigma_rad = 0.003;
     scan_matching::GaussNewton::Options gauss_newton;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   // Everything that a run has gathered; all must outlive the FinalRound.

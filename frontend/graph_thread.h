@@ -25,6 +25,7 @@ class GraphThread {
     // A result that is due and not there after this long is waited for no longer: it is taken over
     // when it comes.
     double timeout_s = 3.0;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   struct Counts {

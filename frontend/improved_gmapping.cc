@@ -24,12 +24,24 @@ ImprovedGmapping::ImprovedGmapping(const Options& options,
       graph_thread_(options.graph_thread, std::move(optimize)),
       area_(options.filter.grid.resolution_m) {}
 
-void ImprovedGmapping::AddScan(const sensor::LaserScan& measured) {
+ScanResult ImprovedGmapping::AddScan(const sensor::LaserScan& measured) {
+  const Counts before = counts_;
+  ScanResult result;
+  Process(measured, &result);
+  result.updated = counts_.updates > before.updates;
+  result.corrected = counts_.corrections > before.corrections;
+  result.world_T_robot = CurrentPose();
+  return result;
+}
+
+void ImprovedGmapping::Process(const sensor::LaserScan& measured, ScanResult* result) {
   // Step 1: the control input.
   const ScanMotion motion = control_.Advance(measured);
   const SE2& u = motion.motion;
   // What one scan does not decide becomes a step of its own, for particles to take apart.
   const bool ambiguous = !motion.alternatives.empty();
+  result->ambiguous = ambiguous;
+  result->lost = !motion.matched;
   if (ambiguous && !scan_poses_.latest_is_update() && !is_lost_.back()) {
     scan_poses_.MakeUpdate();
     UpdateFilter(archive_.Get(archive_.size() - 1), {ControlSinceUpdate()});
@@ -77,7 +89,7 @@ void ImprovedGmapping::AddScan(const sensor::LaserScan& measured) {
   }
 
   // Step 3': the pose graph with its closed-loop constraints goes to the graph thread.
-  if (options_.close_loops) CloseLoops();
+  if (options_.close_loops) result->closed_loop = CloseLoops();
   StartOptimization();
 }
 
@@ -143,12 +155,13 @@ void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan,
   angular_since_update_rad_ = 0.0;
 }
 
-void ImprovedGmapping::CloseLoops() {
+bool ImprovedGmapping::CloseLoops() {
   backend::PoseGraphRecorder path;
   EmitPath(&path);
   const int closed = loop_closer_.Update(backend::PosesOf(path.graph()),
                                          [this](int node) { return ScanOfNode(node); });
   if (closed > 0) closure_waits_ = true;
+  return closed > 0;
 }
 
 // Every so many poses, and at once after a closure.
@@ -229,11 +242,20 @@ const particle_filter::Particle& ImprovedGmapping::BestParticle() const {
   return filter_.particles()[filter_.BestParticle()];
 }
 
+SE2 ImprovedGmapping::CurrentPose() const {
+  return BestParticle().world_T_robot * Between(odom_T_last_update_, odom_T_scan_);
+}
+
+backend::Trajectory ImprovedGmapping::CurrentTrajectory() const {
+  backend::PoseGraphRecorder path;
+  EmitPath(&path);
+  return scan_poses_.Fill(backend::PosesOf(path.graph()));
+}
+
 Estimate ImprovedGmapping::CurrentEstimate() const {
   backend::PoseGraphRecorder recorder;
   EmitGraph(&recorder);
-  return {recorder.graph(), scan_poses_.Fill(backend::PosesOf(recorder.graph())),
-          BestParticle().map};
+  return {recorder.graph(), CurrentTrajectory(), CurrentMap()};
 }
 
 Estimate ImprovedGmapping::Finish() {

@@ -8,6 +8,7 @@
 
 #include "backend/graph/pose_graph_sink.h"
 #include "backend/scheduling/optimization_thread.h"
+#include "frontend/api/scan_result.h"
 #include "frontend/control_input.h"
 #include "frontend/estimate.h"
 #include "frontend/final_round.h"
@@ -52,6 +53,7 @@ class ImprovedGmapping {
     // Without it the result is what the best particle knows.
     bool make_final_round = true;
     FinalRound::Options final_round;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   struct Counts {
@@ -71,13 +73,16 @@ class ImprovedGmapping {
 
   // `measured`: not deskewed. Throws std::runtime_error when the odometry leads out of the area
   // that a map can cover.
-  void AddScan(const sensor::LaserScan& measured);
+  ScanResult AddScan(const sensor::LaserScan& measured);
 
   // The pose graph as it is now: the best particle's path, a node an update with ids 0, 1, ..., and
   // the accepted loop closures.
   void EmitGraph(backend::PoseGraphSink* sink) const;
 
-  // What the best particle knows so far. Needs at least one scan.
+  // What the best particle knows so far. Each needs at least one scan.
+  backend::SE2 CurrentPose() const;
+  backend::Trajectory CurrentTrajectory() const;
+  const map::OccupancyGrid& CurrentMap() const { return BestParticle().map; }
   Estimate CurrentEstimate() const;
 
   // After the last scan: waits for the back end and makes the final round. Needs at least one scan.
@@ -92,6 +97,7 @@ class ImprovedGmapping {
   double sweep_s() const { return control_.sweep_s(); }
 
  private:
+  void Process(const sensor::LaserScan& measured, ScanResult* result);
   void BeginPiece(int scans);
   particle_filter::ParticleFilter::Control ControlSinceUpdate() const;
   bool UpdateIsDue(const backend::SE2& u, double density);
@@ -100,7 +106,7 @@ class ImprovedGmapping {
                     const std::vector<particle_filter::ParticleFilter::Control>& controls);
   sensor::LaserScan DrawnScanOfNode(int node) const;
   void ReportPieces(const std::vector<bool>& is_drawn);
-  void CloseLoops();
+  bool CloseLoops();
   void StartOptimization();
   void EmitPath(backend::PoseGraphSink* sink) const;
   const particle_filter::Particle& BestParticle() const;

@@ -60,6 +60,7 @@ class MotionPrior {
     // What a robot can do.
     double max_speed_m_s = 5.0;
     double max_turn_rad_s = 6.0;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   // `wheels`: nothing where they have no say. `same_velocity`: the motion if the robot goes on as

@@ -73,6 +73,7 @@ class ScanOdometry {
     double new_piece_s = 1.0;
     double new_piece_if_hidden_s = 10.0;
     int new_piece_scans = 5;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   explicit ScanOdometry(const Options& options);

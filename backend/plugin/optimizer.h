@@ -30,6 +30,7 @@ struct Options {
   Loss loss;  // of loop closures
   // A back end's own options by name; its documentation lists them. Unknown ones are failures.
   std::map<std::string, std::string> settings;
+  friend bool operator==(const Options&, const Options&) = default;
 };
 
 struct IterationRecord {

@@ -1,8 +1,10 @@
 #include "backend/plugin/plugin_loader.h"
 
 #include <dlfcn.h>
+#include <link.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -121,6 +123,31 @@ class PluginOptimizer : public Optimizer {
   void* optimizer_ = nullptr;
 };
 
+// The folders for plugins along the library search path of the program or library that this code is
+// linked into: find_package(gmapping_spa) puts that of the installed package there.
+std::vector<std::string> PluginFoldersOfLibraryPath() {
+  std::vector<std::string> folders;
+  Dl_info info;
+  void* self = nullptr;  // of type link_map*, which is a handle
+  Dl_serinfo size;
+  if (dladdr1(reinterpret_cast<const void*>(&PluginFoldersOfLibraryPath), &info, &self,
+              RTLD_DL_LINKMAP) == 0 ||
+      dlinfo(self, RTLD_DI_SERINFOSIZE, &size) != 0) {
+    return folders;
+  }
+  std::vector<std::max_align_t> buffer(size.dls_size / sizeof(std::max_align_t) + 1);
+  auto* const path = reinterpret_cast<Dl_serinfo*>(buffer.data());
+  if (dlinfo(self, RTLD_DI_SERINFOSIZE, path) != 0 || dlinfo(self, RTLD_DI_SERINFO, path) != 0) {
+    return folders;
+  }
+  const fs::path name = fs::path(GMAPPING_SPA_PLUGIN_FOLDER).filename();
+  for (unsigned k = 0; k < path->dls_cnt; ++k) {
+    const fs::path folder = path->dls_serpath[k].dls_name;
+    if (folder.filename() == name) folders.push_back(folder.string());
+  }
+  return folders;
+}
+
 std::string FindPlugin(const std::string& name, const std::vector<std::string>& folders) {
   if (name.find('/') != std::string::npos) return name;
   std::string searched;
@@ -149,6 +176,7 @@ std::vector<std::string> PluginSearchPath() {
     folders.push_back(
         (executable.parent_path().parent_path() / GMAPPING_SPA_PLUGIN_FOLDER).string());
   }
+  for (std::string& folder : PluginFoldersOfLibraryPath()) folders.push_back(std::move(folder));
   folders.push_back(GMAPPING_SPA_INSTALLED_PLUGIN_FOLDER);
   return folders;
 }

@@ -12,7 +12,8 @@ namespace gmapping_spa::backend {
 
 // The folders that are searched for plugins, first to last: those of the environment's
 // GMAPPING_SPA_PLUGIN_PATH (separated by colons), the one that belongs to the running executable
-// (in a build tree or an install tree), the one of the installation.
+// (in a build tree or an install tree), the one of the package that it was linked with by
+// find_package(gmapping_spa), the one that was configured for installation.
 std::vector<std::string> PluginSearchPath();
 
 // Makes the optimizer of the back end `name`, the first libgmapping_spa_<name>.so in `folders`; a

@@ -10,18 +10,23 @@
 #include "backend/scheduling/graduated_non_convexity.h"
 #include "backend/scheduling/optimize_safely.h"
 
+namespace {
+const gmapping_spa::backend::Options kOptions;
+}
+
 DEFINE_string(backend, "spa",
               "What optimizes pose graphs: spa, ceres, none, the name of another back end in "
               "$GMAPPING_SPA_PLUGIN_PATH, or the path of its shared library.");
-DEFINE_string(init, "auto",
+DEFINE_string(init, gmapping_spa::backend::InitializationName(kOptions.initialization),
               "Start of an optimization: auto (the back end chooses), keep (the poses given), "
               "odometry (along successive nodes), spanning_tree or chordal (chordal initialization "
               "of Carlone et al. 2015).");
-DEFINE_int32(max_iterations, 100, "Largest number of iterations of an optimization.");
+DEFINE_int32(max_iterations, kOptions.max_iterations,
+             "Largest number of iterations of an optimization.");
 DEFINE_double(
-    cost_tolerance, 1e-7,
+    cost_tolerance, kOptions.cost_tolerance,
     "An optimization has converged when a step would lower the cost by less than this part of it.");
-DEFINE_string(loss, "none",
+DEFINE_string(loss, gmapping_spa::backend::LossKindName(kOptions.loss.kind),
               "Robust loss of loop closures: none, huber, cauchy, dcs (dynamic covariance scaling, "
               "Agarwal et al. 2013) or truncated (truncated least squares).");
 DEFINE_double(loss_scale, 3.0,
@@ -85,6 +90,8 @@ void AddBackendSettings(backend::Options* options) {
 }  // namespace
 
 std::string BackendFromFlags() { return FLAGS_backend; }
+
+bool GncFromFlags() { return FLAGS_gnc; }
 
 std::unique_ptr<backend::Optimizer> LoadOptimizerFromFlags() {
   return backend::LoadOptimizer(FLAGS_backend);

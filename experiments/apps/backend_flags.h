@@ -12,12 +12,14 @@ namespace gmapping_spa::apps {
 // The value of --backend: a name or a path.
 std::string BackendFromFlags();
 
+// The value of --gnc.
+bool GncFromFlags();
+
 // Loads the back end of --backend; throws std::runtime_error with one line.
 std::unique_ptr<backend::Optimizer> LoadOptimizerFromFlags();
 
 // The options of --loss, --init, ..., with those --<backend>_<setting> flags that were set, and
-// with
-// --backend_settings. Throws std::runtime_error with one line.
+// with --backend_settings. Throws std::runtime_error with one line.
 backend::Options OptionsFromFlags();
 
 // Optimizes as the flags say, within backend::OptimizeSafely: under --loss=truncated by graduated

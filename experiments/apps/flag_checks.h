@@ -2,6 +2,7 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_CHECKS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_CHECKS_H_
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 #include <stdexcept>
@@ -22,11 +23,21 @@ T InRange(const char* flag, T value, T min, T max) {
   throw std::runtime_error(message.str());
 }
 
+// The values of a flag: names and what they stand for.
+template <typename T>
+using Choices = std::vector<std::pair<std::string, T>>;
+
+// The name of a value that is among the choices.
+template <typename T>
+const char* NameOf(const Choices<T>& choices, T value) {
+  const auto is_it = [&](const auto& choice) { return choice.second == value; };
+  return std::find_if(choices.begin(), choices.end(), is_it)->first.c_str();
+}
+
 // Returns what the name `value` stands for; throws std::runtime_error with one line that lists the
 // names when it is none of them.
 template <typename T>
-T OneOf(const char* flag, const std::string& value,
-        const std::vector<std::pair<std::string, T>>& choices) {
+T OneOf(const char* flag, const std::string& value, const Choices<T>& choices) {
   std::string names;
   for (const auto& [name, meaning] : choices) {
     if (value == name) return meaning;

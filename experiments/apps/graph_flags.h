@@ -2,12 +2,12 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_GRAPH_FLAGS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_GRAPH_FLAGS_H_
 
-#include "frontend/improved_gmapping.h"
+#include "frontend/api/slam_options.h"
 
 namespace gmapping_spa::apps {
 
 // Sets what the flags say. Throws std::runtime_error with one line when a flag makes no sense.
-void AddGraphOptions(frontend::ImprovedGmapping::Options* options);
+void AddGraphOptions(SlamOptions* options);
 
 }  // namespace gmapping_spa::apps
 

@@ -1,20 +1,13 @@
-// Flags of the SLAM algorithm.
+// Flags of the SLAM algorithm: the members of SlamOptions, and its defaults.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_FLAGS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_FLAGS_H_
 
-#include <memory>
-
-#include "frontend/improved_gmapping.h"
-#include "frontend/scan_matching/endpoint_model.h"
-#include "frontend/scan_matching/scan_matcher.h"
+#include "frontend/api/slam_options.h"
 
 namespace gmapping_spa::apps {
 
-// Each throws std::runtime_error with one line when a flag makes no sense.
-frontend::ImprovedGmapping::Options SlamOptionsFromFlags();
-std::shared_ptr<const scan_matching::ScanMatcher> ScanMatcherFromFlags();
-scan_matching::EndpointModel::Options EndpointOptionsFromFlags();
-double OccupiedThresholdFromFlags();
+// Throws std::runtime_error with one line when a flag makes no sense.
+SlamOptions SlamOptionsFromFlags();
 
 }  // namespace gmapping_spa::apps
 

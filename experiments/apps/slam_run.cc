@@ -3,7 +3,6 @@
 #include <gflags/gflags.h>
 
 #include <algorithm>
-#include <memory>
 #include <stdexcept>
 
 #include "backend/graph/g2o_io.h"
@@ -16,26 +15,22 @@
 #include "experiments/apps/slam_flags.h"
 #include "frontend/map/map_building.h"
 #include "frontend/map/map_server_io.h"
+#include "frontend/slam_parts.h"
 
 namespace gmapping_spa::apps {
-namespace {
-
-backend::OptimizationThread::OptimizeFunction OptimizeFromFlags() {
-  OptionsFromFlags();  // complains now, not in the graph thread
-  return [optimizer = std::shared_ptr<backend::Optimizer>(LoadOptimizerFromFlags())](
-             backend::PoseGraph* graph) { return OptimizeAsFlagsSay(optimizer.get(), graph); };
-}
-
-}  // namespace
-
 void SetSlamDefaults() {
   // Closures found by a machine are never beyond doubt; those in files may have been checked.
-  gflags::SetCommandLineOptionWithMode("loss", "huber", gflags::SET_FLAGS_DEFAULT);
+  const backend::Loss loss = SlamOptions{}.optimizer.loss;
+  gflags::SetCommandLineOptionWithMode("loss", backend::LossKindName(loss.kind),
+                                       gflags::SET_FLAGS_DEFAULT);
 }
 
-SlamRun::SlamRun()
-    : occupied_threshold_(OccupiedThresholdFromFlags()),
-      gmapping_(SlamOptionsFromFlags(), ScanMatcherFromFlags(), OptimizeFromFlags()) {}
+SlamRun::SlamRun() : SlamRun(SlamOptionsFromFlags()) {}
+
+SlamRun::SlamRun(const SlamOptions& options)
+    : occupied_threshold_(options.occupied_threshold),
+      gmapping_(frontend::GmappingOptions(options), frontend::MakeScanMatcher(options),
+                frontend::BindOptimizer(options, LoadOptimizerFromFlags())) {}
 
 void SlamRun::AddScan(const sensor::LaserScan& scan) {
   ThrowIfInterrupted();

@@ -7,6 +7,7 @@
 #include "experiments/apps/json.h"
 #include "experiments/apps/output_files.h"
 #include "experiments/apps/run_record.h"
+#include "frontend/api/slam_options.h"
 #include "frontend/improved_gmapping.h"
 #include "frontend/sensor/laser_scan.h"
 #include "frontend/sensor/log_reader.h"
@@ -34,6 +35,8 @@ class SlamRun {
   const frontend::ImprovedGmapping::Counts& counts() const { return gmapping_.counts(); }
 
  private:
+  explicit SlamRun(const SlamOptions& options);
+
   double occupied_threshold_;
   frontend::ImprovedGmapping gmapping_;
   Stopwatch stopwatch_;

@@ -15,6 +15,7 @@ struct CandidateOptions {
   double sigmas = 3.0;          // of the drift by which nodes may be farther apart than estimated
   double max_drift_m = 10.0;    // the search goes no farther
   int max_candidates = 3;       // that belong to different passes
+  friend bool operator==(const CandidateOptions&, const CandidateOptions&) = default;
 };
 
 struct Candidate {

@@ -52,6 +52,7 @@ struct ProofOptions {
   // so much driving, is far likelier than another that contradicts it.
   double rival_gate = 6.0;
   double rival_within_m = 20.0;
+  friend bool operator==(const ProofOptions&, const ProofOptions&) = default;
 };
 
 // Of each set the members out of its largest pairwise consistent subset; empty when they prove

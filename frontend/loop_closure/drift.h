@@ -25,6 +25,7 @@ struct DriftModel {
 
   // Squared Mahalanobis distance of a discrepancy after such a way.
   double SquaredDistance(const backend::SE2& discrepancy, double way_m) const;
+  friend bool operator==(const DriftModel&, const DriftModel&) = default;
 };
 
 // Stands for the way between two pieces of the path that nothing is known between: after so long a

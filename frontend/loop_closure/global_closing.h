@@ -37,6 +37,7 @@ class GlobalCloser {
     double old_window_m = 20.0;  // of driving, around the nearest member's old node
     PlaceSearch::Options search;
     ProofOptions proof;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   // What is to be believed from now on, and what no longer: positions in the records.

@@ -36,6 +36,7 @@ class LoopCloser {
     // Squared error, in variances, from which on an accepted closure contradicts the rest of the
     // graph.
     double max_squared_error = 100.0;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   explicit LoopCloser(const Options& options);

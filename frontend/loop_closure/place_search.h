@@ -40,6 +40,7 @@ class PlaceSearch {
         .peak_separation_rad = 0.2,
         .second_floor = 0.85,
         .with_covariance = false};
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   explicit PlaceSearch(const Options& options) : options_(options) {}

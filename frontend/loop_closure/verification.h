@@ -42,6 +42,7 @@ class Verifier {
     map::OccupancyGrid::Options grid;
     scan_matching::CorrelativeMatcher::Options search;
     scan_matching::GaussNewton::Options gauss_newton;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   Verifier(const Options& options, const DriftModel& drift, const CandidateOptions& candidates);

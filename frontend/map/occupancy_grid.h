@@ -36,6 +36,7 @@ class OccupancyGrid {
     // A cell is an obstacle for scan matching when more than this part of the beams that met it
     // ended there (GMapping's "fullness").
     double full_threshold = 0.1;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   explicit OccupancyGrid(const Options& options);

@@ -15,6 +15,7 @@ struct RegistrationOptions {
   // A hit says nothing about so much of the way before it: a beam that grazes a wall passes through
   // cells of that wall.
   double clear_margin_m = 0.0;
+  friend bool operator==(const RegistrationOptions&, const RegistrationOptions&) = default;
 };
 
 // Eq. (15), integrateScan: the map posterior given a pose. Every hit counts for the cell that holds its end point

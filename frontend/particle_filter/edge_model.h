@@ -26,12 +26,13 @@ class EdgeModel {
   };
 
   struct Options {
-    Measurement measurement = Measurement::kParticle;
+    Measurement measurement = Measurement::kControl;
     Information information = Information::kProposal;
     double constant_sigma_m = 0.05;  // of kConstant
     double constant_sigma_rad = 0.01;
     double hessian_gain = 0.1;  // of kHessian: neighbouring beams are not independent
     scan_matching::GaussNewton::Options gauss_newton;  // of kHessian
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   // A step that a particle has just taken.

@@ -25,6 +25,7 @@ class MapHistory {
     double tolerance_m = 0.01;
     double tolerance_rad = 0.002;
     int snapshot_every = 50;  // steps
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   MapHistory(const Options& options, const map::OccupancyGrid::Options& grid,

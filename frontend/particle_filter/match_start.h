@@ -26,6 +26,7 @@ class MatchStart {
     // Of kPrediction: so many draws from the motion model compete with the prediction. Wheels slip
     // by more than a scan matcher can make good.
     int guesses = 0;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   virtual ~MatchStart() = default;

@@ -28,6 +28,7 @@ class MotionModel {
     // Whether noise is added to the increment of each scan, so that the robot walks along at
     // random, as in GMapping; else once to the motion of the whole step.
     bool noise_at_each_scan = false;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   explicit MotionModel(const Options& options);

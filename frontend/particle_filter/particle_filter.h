@@ -44,6 +44,7 @@ class ParticleFilter {
     map::RegistrationOptions registration;
     MapHistory::Options map_history;
     scan_matching::EndpointModel::Options endpoint;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   using Control = particle_filter::Control;

@@ -53,6 +53,7 @@ class CorrelativeMatcher {
     // and the covariance must not shrink with the number of beams.
     double independent_points = 20.0;
     bool with_covariance = true;  // takes about as long as the search; otherwise it stays zero
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   // `reference` in the frame of the map, in metres. See MakeLikelihoodField for preconditions.

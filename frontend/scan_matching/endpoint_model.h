@@ -64,6 +64,7 @@ class EndpointModel {
     // Whether a hit explains a beam only where the cell before it, toward the laser, is not full.
     // GMapping's authors meant it so; in the program that they published the rule has no effect.
     bool free_cell_in_front = true;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   // `grid` and `points` must outlive this and stay as they are.

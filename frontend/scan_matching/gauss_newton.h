@@ -22,6 +22,7 @@ class GaussNewton : public ScanMatcher {
     // Converged when no component of a step is larger, in m and in rad.
     double step_tolerance = 5e-4;
     double min_score = 0.2;  // a match below this is a failure
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   struct Alignment {

@@ -39,6 +39,7 @@ struct ByteGrid {
 struct LikelihoodFieldOptions {
   double resolution_m = 0.05;
   double sigma_m = 0.1;  // of the distance between a point and what it is matched with
+  friend bool operator==(const LikelihoodFieldOptions&, const LikelihoodFieldOptions&) = default;
 };
 
 // 255 exp(-d^2 / 2 sigma^2) at each cell, rounded, where d is the distance from the middle of the

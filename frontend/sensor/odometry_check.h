@@ -35,6 +35,7 @@ class OdometryCheck {
   struct Options {
     double max_speed_m_s = 5.0;
     double max_turn_rad_s = 6.0;
+    friend bool operator==(const Options&, const Options&) = default;
   };
 
   struct Step {

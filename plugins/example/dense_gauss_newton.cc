@@ -1,11 +1,11 @@
 // An example of a back end: Gauss-Newton with dense matrices, for graphs of some hundred nodes.
+#include <gmapping_spa/edge_error.h>
+#include <gmapping_spa/graph_cost.h>
+#include <gmapping_spa/plugin.h>
+#include <gmapping_spa/settings.h>
+
 #include <Eigen/Cholesky>
 #include <vector>
-
-#include "backend/cost/edge_error.h"
-#include "backend/cost/graph_cost.h"
-#include "backend/plugin/plugin.h"
-#include "backend/plugin/settings.h"
 
 namespace {
 

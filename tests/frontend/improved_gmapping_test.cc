@@ -31,6 +31,7 @@ class PlainGmapping : public testing::Test {
     options.filter.match_start.guesses = guesses_;
     options.filter.proposal = proposal_;
     options.control.source = OdometrySource::kWheel;
+    options.filter.edges.measurement = particle_filter::EdgeModel::Measurement::kParticle;
     options.control.check.max_speed_m_s = max_speed_m_s_;
     options.close_loops = false;
     options.make_final_round = false;

@@ -10,6 +10,7 @@
 
 #include "backend/scheduling/optimize_safely.h"
 #include "tests/backend/random_graph.h"
+#include "tests/built_back_ends.h"
 
 namespace gmapping_spa::backend {
 namespace {
@@ -37,7 +38,7 @@ std::string PathOf(const std::string& name) {
 
 TEST(LoadOptimizer, FindsBackEndsByNameInTheBuildTree) {
   PoseGraph graph = RandomGraph(1);
-  for (const char* name : {"none", "spa", "ceres"}) {
+  for (const char* name : Built({"none", "spa", "ceres"})) {
     const std::unique_ptr<Optimizer> optimizer = LoadOptimizer(name);
     EXPECT_NE(OptimizeSafely({}, optimizer.get(), &graph).termination, Termination::kFailure)
         << name;

@@ -9,6 +9,7 @@
 #include "backend/plugin/plugin_loader.h"
 #include "backend/scheduling/optimize_safely.h"
 #include "tests/backend/random_graph.h"
+#include "tests/built_back_ends.h"
 
 namespace gmapping_spa::backend {
 namespace {
@@ -23,7 +24,7 @@ Options Truncated() {
 }
 
 TEST(OptimizeGradually, GivesWrongLoopClosuresNoSay) {
-  for (const char* name : {"spa", "ceres"}) {
+  for (const char* name : Built({"spa", "ceres"})) {
     const std::unique_ptr<Optimizer> optimizer = LoadOptimizer(name);
     for (unsigned seed = 0; seed < 5; ++seed) {
       PoseGraph clean = RandomGraph(seed, kGoodGraph), spoiled = clean;

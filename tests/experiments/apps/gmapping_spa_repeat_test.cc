@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "tests/built_back_ends.h"
 #include "tests/experiments/apps/gmapping_spa_tour.h"
 
 namespace gmapping_spa::apps {
@@ -99,7 +100,7 @@ TEST_P(OtherBackEnd, Runs) {
   EXPECT_EQ(record["counts"]["corrections"] == 0, backend == "none");
 }
 
-INSTANTIATE_TEST_SUITE_P(GmappingSpa, OtherBackEnd, ::testing::Values("ceres", "none"),
+INSTANTIATE_TEST_SUITE_P(GmappingSpa, OtherBackEnd, ::testing::ValuesIn(Built({"ceres", "none"})),
                          [](const auto& test) { return std::string(test.param); });
 
 class Switch : public GmappingSpaTour, public ::testing::WithParamInterface<const char*> {};

@@ -61,6 +61,7 @@ inline ParticleFilter::Options Particles(int particles, int threads = 1, std::ui
   options.threads = threads;
   options.seed = seed;
   options.match_start.guesses = 5;
+  options.edges.measurement = EdgeModel::Measurement::kParticle;
   options.resample_threshold = 0.9;  // so that it happens
   return options;
 }

@@ -1,0 +1,34 @@
+// From a CARMEN log to a map: map_a_log LOG MAP writes MAP.pgm and MAP.yaml.
+#include <gmapping_spa/map_server_io.h>
+#include <gmapping_spa/open_log.h>
+#include <gmapping_spa/slam.h>
+
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+int main(int argc, char** argv) try {
+  if (argc != 3) throw std::runtime_error("usage: map_a_log LOG MAP");
+  auto in = std::make_unique<std::ifstream>(argv[1]);
+  if (!*in) throw std::runtime_error(std::string("cannot read ") + argv[1]);
+  const auto log = gmapping_spa::sensor::OpenCarmenLog(std::move(in), argv[1], {});
+
+  gmapping_spa::Slam slam;
+  while (const auto scan = log->Next()) slam.AddScan(*scan);
+  slam.Finish();
+
+  const auto [x, y, theta] = slam.CurrentPose();
+  std::cout << "The robot is at " << x << " m, " << y << " m, " << theta << " rad.\n";
+  const std::string name = argv[2];
+  std::ofstream image(name + ".pgm", std::ios::binary), yaml(name + ".yaml");
+  gmapping_spa::map::WritePgm(slam.CurrentMap(), image);
+  gmapping_spa::map::WriteMapYaml(slam.CurrentMap(), name + ".pgm", yaml);
+  if (!image.flush() || !yaml.flush()) throw std::runtime_error("cannot write " + name);
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return 1;
+}

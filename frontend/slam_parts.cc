@@ -1,0 +1,195 @@
+#include "frontend/slam_parts.h"
+
+#include <utility>
+
+#include "backend/scheduling/graduated_non_convexity.h"
+#include "backend/scheduling/optimize_safely.h"
+#include "frontend/scan_matching/gauss_newton.h"
+#include "frontend/scan_matching/hill_climbing.h"
+
+namespace gmapping_spa::frontend {
+namespace {
+
+using particle_filter::EdgeModel;
+using particle_filter::MatchStart;
+using particle_filter::ParticleFilter;
+using particle_filter::PoseSampling;
+using scan_matching::EndpointModel;
+using scan_matching::GaussNewton;
+using scan_matching::HillClimbing;
+
+OdometrySource SourceOf(SlamOptions::Odometry odometry) {
+  switch (odometry) {
+    case SlamOptions::Odometry::kRaw:
+      return OdometrySource::kRaw;
+    case SlamOptions::Odometry::kWheel:
+      return OdometrySource::kWheel;
+    case SlamOptions::Odometry::kScanMatched:
+      return OdometrySource::kScanMatched;
+    case SlamOptions::Odometry::kLidarOnly:
+      return OdometrySource::kLidarOnly;
+  }
+  return {};
+}
+
+EdgeModel::Information InformationOf(SlamOptions::EdgeInformation information) {
+  switch (information) {
+    case SlamOptions::EdgeInformation::kProposal:
+      return EdgeModel::Information::kProposal;
+    case SlamOptions::EdgeInformation::kHessian:
+      return EdgeModel::Information::kHessian;
+    case SlamOptions::EdgeInformation::kConstant:
+      return EdgeModel::Information::kConstant;
+  }
+  return {};
+}
+
+GraphThread::Mode ModeOf(SlamOptions::GraphThread graph_thread) {
+  switch (graph_thread) {
+    case SlamOptions::GraphThread::kLockstep:
+      return GraphThread::Mode::kLockstep;
+    case SlamOptions::GraphThread::kAsync:
+      return GraphThread::Mode::kAsync;
+    case SlamOptions::GraphThread::kInline:
+      return GraphThread::Mode::kInline;
+  }
+  return {};
+}
+
+GaussNewton::Options GaussNewtonOptions(const SlamOptions& options) {
+  return {.noise_sigma_m = options.match_noise_m, .robust_sigmas = options.match_robust_sigmas};
+}
+
+EndpointModel::Options EndpointOptions(const SlamOptions& options) {
+  return {.score_sigma_m = options.score_sigma_m,
+          .likelihood_sigma_m = options.likelihood_sigma_m,
+          .unmatched_sigmas = options.unmatched_sigmas,
+          .likelihood_gain = options.likelihood_gain,
+          .unseen_is_miss = options.unseen_is_miss,
+          .likelihood = options.likelihood == SlamOptions::Likelihood::kNearestHit
+                            ? EndpointModel::Likelihood::kNearestHit
+                            : EndpointModel::Likelihood::kSurface,
+          .free_cell_in_front = options.free_cell_in_front};
+}
+
+EdgeModel::Options EdgeOptions(const SlamOptions& options) {
+  EdgeModel::Options edges;
+  const bool scans_give_motion = options.odometry == SlamOptions::Odometry::kScanMatched ||
+                                 options.odometry == SlamOptions::Odometry::kLidarOnly;
+  edges.measurement =
+      scans_give_motion && options.edge_measurement == SlamOptions::EdgeMeasurement::kScanOdometry
+          ? EdgeModel::Measurement::kControl
+          : EdgeModel::Measurement::kParticle;
+  edges.information = InformationOf(options.edge_information);
+  edges.gauss_newton = GaussNewtonOptions(options);
+  return edges;
+}
+
+ParticleFilter::Options FilterOptions(const SlamOptions& options) {
+  ParticleFilter::Options filter;
+  filter.particles = options.particles;
+  filter.threads = options.threads;
+  filter.seed = options.seed;
+  filter.resample_threshold = options.resample_threshold;
+  filter.match_start = {.kind = options.match_start == SlamOptions::MatchStart::kDraw
+                                    ? MatchStart::Kind::kDraw
+                                    : MatchStart::Kind::kPrediction,
+                        .guesses = options.initial_guesses};
+  filter.proposal = options.proposal == SlamOptions::Proposal::kMatch
+                        ? PoseSampling::Kind::kMatch
+                        : PoseSampling::Kind::kGaussian;
+  filter.obs_sigma_gain = options.obs_sigma_gain;
+  filter.edges = EdgeOptions(options);
+  filter.motion = {.linear_per_linear = options.motion_linear_per_linear,
+                   .linear_per_angular = options.motion_linear_per_angular,
+                   .lateral_per_linear = options.motion_lateral_per_linear,
+                   .angular_per_linear = options.motion_angular_per_linear,
+                   .angular_per_angular = options.motion_angular_per_angular,
+                   .linear_floor_m = options.motion_linear_floor_m,
+                   .angular_floor_rad = options.motion_angular_floor_rad,
+                   .noise_at_each_scan = options.motion_noise == SlamOptions::MotionNoise::kScan};
+  filter.grid = {.resolution_m = options.resolution_m, .full_threshold = options.full_threshold};
+  filter.registration.no_return_clears = options.no_return_clears;
+  filter.endpoint = EndpointOptions(options);
+  return filter;
+}
+
+ControlInput::Options ControlOptions(const SlamOptions& options) {
+  ControlInput::Options control;
+  control.source = SourceOf(options.odometry);
+  control.check = {.max_speed_m_s = options.max_speed_m_s,
+                   .max_turn_rad_s = options.max_turn_rad_s};
+  control.scan_odometry.gauss_newton = GaussNewtonOptions(options);
+  control.scan_odometry.grid.resolution_m = options.resolution_m;
+  control.scan_odometry.prior.max_speed_m_s = options.max_speed_m_s;
+  control.scan_odometry.prior.max_turn_rad_s = options.max_turn_rad_s;
+  control.scan_odometry.sweep_duration_s = options.sweep_duration_s;
+  return control;
+}
+
+loop_closure::LoopCloser::Options CloserOptions(const SlamOptions& options) {
+  loop_closure::LoopCloser::Options closer;
+  closer.candidates.min_way_m = options.closure_min_way_m;
+  closer.candidates.max_distance_m = options.closure_max_distance_m;
+  closer.drift.m_per_m = options.closure_drift_m_per_m;
+  closer.drift.rad_per_m = options.closure_drift_rad_per_m;
+  closer.search_everywhere = options.closure_everywhere;
+  closer.verifier.grid.resolution_m = options.resolution_m;
+  closer.verifier.gauss_newton = GaussNewtonOptions(options);
+  closer.verifier.search.min_score = options.closure_min_score;
+  closer.verifier.max_second_score = options.closure_max_second_score;
+  closer.verifier.min_overlap = options.closure_min_overlap;
+  closer.verifier.min_fit = options.closure_min_fit;
+  closer.verifier.information_gain = options.closure_information_gain;
+  return closer;
+}
+
+}  // namespace
+
+ImprovedGmapping::Options GmappingOptions(const SlamOptions& options) {
+  ImprovedGmapping::Options gmapping;
+  gmapping.linear_update_m = options.linear_update_m;
+  gmapping.angular_update_rad = options.angular_update_rad;
+  gmapping.filter = FilterOptions(options);
+  gmapping.control = ControlOptions(options);
+  gmapping.close_loops = options.loop_closure;
+  gmapping.loop_closer = CloserOptions(options);
+  gmapping.optimize_every = options.optimize_every;
+  gmapping.graph_thread = {.mode = ModeOf(options.graph_thread),
+                           .lockstep_scans = options.lockstep_scans,
+                           .timeout_s = options.graph_timeout_s};
+  gmapping.correction = options.correction == SlamOptions::Correction::kPose
+                            ? ImprovedGmapping::Correction::kPose
+                            : ImprovedGmapping::Correction::kTrajectory;
+  gmapping.make_final_round = options.final_round;
+  gmapping.final_round.refine = options.refine;
+  gmapping.final_round.gauss_newton = GaussNewtonOptions(options);
+  return gmapping;
+}
+
+std::shared_ptr<const scan_matching::ScanMatcher> MakeScanMatcher(const SlamOptions& options) {
+  if (options.scan_matcher == SlamOptions::ScanMatcher::kHillClimbing) {
+    return std::make_shared<HillClimbing>(
+        HillClimbing::Options{.linear_step_m = options.match_linear_step_m,
+                              .angular_step_rad = options.match_angular_step_rad,
+                              .halvings = options.match_halvings,
+                              .min_score = options.match_min_score},
+        EndpointOptions(options));
+  }
+  GaussNewton::Options gauss_newton = GaussNewtonOptions(options);
+  gauss_newton.min_score = options.match_min_score;
+  return std::make_shared<GaussNewton>(gauss_newton, EndpointOptions(options));
+}
+
+backend::OptimizationThread::OptimizeFunction BindOptimizer(
+    const SlamOptions& options, std::shared_ptr<backend::Optimizer> optimizer) {
+  const bool gradually =
+      options.optimizer.loss.kind == backend::LossKind::kTruncated && options.gnc;
+  return [gradually, how = options.optimizer,
+          optimizer = std::move(optimizer)](backend::PoseGraph* graph) {
+    return gradually ? backend::OptimizeGradually(how, optimizer.get(), graph)
+                     : backend::OptimizeSafely(how, optimizer.get(), graph);
+  };
+}
+
+}  // namespace gmapping_spa::frontend

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# examples_test.sh EXAMPLES PREFIX WORLDS: what the examples in the folder EXAMPLES do is what the
+# executables installed in PREFIX do.
+set -euo pipefail
+examples=$1 bin=$2/bin worlds=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+"$bin/simulate" --world="$worlds/paper_building.yaml" \
+  --path="$worlds/paper_building.short.path.yaml" --output_dir=. --seed=1
+"$bin/gmapping_spa" --log=log.clf --output_dir=expected
+
+"$examples/map_a_log" log.clf mapped | tee pose.txt
+grep -q '^The robot is at .* rad\.$' pose.txt
+cmp mapped.pgm expected/map.pgm
+diff <(grep -v '^image:' mapped.yaml) <(grep -v '^image:' expected/map.yaml)
+
+"$examples/swap_back_end" log.clf | tee swapped.txt
+grep -q 'the cost went from' swapped.txt
+nodes=$(grep -c '^VERTEX_SE2' expected/graph.g2o)
+grep -q "^$nodes nodes in the end$" swapped.txt
+
+"$examples/optimize_a_graph" > square.g2o
+"$bin/optimize_graph" --input=square.g2o --backend=spa --output=again.g2o > summary.json
+diff <(cut -c1-20 square.g2o) <(cut -c1-20 again.g2o)  # it is at the minimum
+
+# Mistakes are told, with a status to match.
+if "$examples/map_a_log" no_such.clf mapped 2> error.txt; then exit 1; fi
+grep -qx 'cannot read no_such.clf' error.txt

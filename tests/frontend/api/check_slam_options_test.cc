@@ -1,0 +1,47 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "frontend/api/slam_options.h"
+
+namespace gmapping_spa {
+namespace {
+
+std::string ErrorOf(const SlamOptions& options) {
+  try {
+    CheckSlamOptions(options);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CheckSlamOptions, TakesTheNamedSettings) {
+  EXPECT_EQ(ErrorOf(SlamOptions::Improved()), "");
+  EXPECT_EQ(ErrorOf(SlamOptions::PlainGmapping()), "");
+  EXPECT_EQ(ErrorOf(SlamOptions::Paper()), "");
+}
+
+TEST(CheckSlamOptions, SaysWhatWasExpectedAndFound) {
+  EXPECT_EQ(ErrorOf({.particles = 0}), "particles: expected a value from 1 to 100000, found 0");
+}
+
+TEST(CheckSlamOptions, RefusesWhatIsNoNumber) {
+  SlamOptions options;
+  options.resolution_m = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(ErrorOf(options), "resolution_m: expected a value from 0.005 to 10, found nan");
+  options = {};
+  options.sweep_duration_s = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(ErrorOf(options), "sweep_duration_s: expected a value from -1 to 1, found nan");
+}
+
+TEST(CheckSlamOptions, LooksAtTheBackEndToo) {
+  SlamOptions options;
+  options.optimizer.max_iterations = -1;
+  EXPECT_EQ(ErrorOf(options), "max_iterations: expected a value from 0 to 1000000000, found -1");
+}
+
+}  // namespace
+}  // namespace gmapping_spa
