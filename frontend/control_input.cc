@@ -13,7 +13,7 @@ ControlInput::ControlInput(const Options& options, Health* health)
     : options_(options),
       health_(health),
       check_(options.check),
-      scan_odometry_(options.scan_odometry) {}
+      lidar_odometry_(options.lidar_odometry) {}
 
 ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
   OdometryCheck::Step wheels = check_.Advance(scan);
@@ -30,7 +30,7 @@ ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
     }
     return AsLogged(scan);
   }
-  ScanMotion motion = scan_odometry_.Advance(scan, wheels);
+  ScanMotion motion = lidar_odometry_.Advance(scan, wheels);
   ReportSweep(scan.stamp_s);
   if (options_.source == OdometrySource::kWheel) {
     if (motion.wheels_rejected || motion.wheels_silent) {
@@ -108,7 +108,7 @@ void ControlInput::ReportBlind(const sensor::LaserScan& scan) {
 
 // Once.
 void ControlInput::ReportSweep(double stamp_s) {
-  if (has_reported_sweep_ || options_.scan_odometry.sweep_duration_s || sweep_s() == 0.0) return;
+  if (has_reported_sweep_ || options_.lidar_odometry.sweep_duration_s || sweep_s() == 0.0) return;
   has_reported_sweep_ = true;
   health_->Report("scans_deskewed", stamp_s,
                   "scans bend while the robot turns, as those of a laser that takes about " +

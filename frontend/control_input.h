@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "frontend/health.h"
-#include "frontend/scan_odometry.h"
+#include "frontend/lidar_odometry.h"
 #include "frontend/sensor/laser_scan.h"
 #include "frontend/sensor/odometry_check.h"
 #include "frontend/stand_still.h"
@@ -15,19 +15,19 @@
 namespace gmapping_spa::frontend {
 
 enum class OdometrySource : std::uint8_t {
-  kRaw,          // the log's odometry as it is, right or wrong; scans are not looked at
-  kWheel,        // the log's odometry, checked; scan matching says how far to trust it
-  kScanMatched,  // every scan matched with the last ones, the wheels a part of the prior
-  kLidarOnly     // scans alone: the log's odometry is not looked at
+  kRaw,       // the log's odometry as it is, right or wrong; scans are not looked at
+  kWheel,     // the log's odometry, checked; scan matching says how far to trust it
+  kLidar,     // every scan matched with the last ones, the wheels a part of the prior
+  kLidarOnly  // scans alone: the log's odometry is not looked at
 };
 
 // Checks the wheels, matches the scan, and says what it noticed.
 class ControlInput {
  public:
   struct Options {
-    OdometrySource source = OdometrySource::kScanMatched;
+    OdometrySource source = OdometrySource::kLidar;
     sensor::OdometryCheck::Options check;
-    ScanOdometry::Options scan_odometry;
+    LidarOdometry::Options lidar_odometry;
     friend bool operator==(const Options&, const Options&) = default;
   };
 
@@ -39,7 +39,7 @@ class ControlInput {
 
   // Time from the first beam of a scan to the last one, s, by which scans are to be deskewed; 0
   // where they seem to be measured at once.
-  double sweep_s() const { return scan_odometry_.sweep_s(); }
+  double sweep_s() const { return lidar_odometry_.sweep_s(); }
 
  private:
   ScanMotion AsLogged(const sensor::LaserScan& scan);
@@ -54,7 +54,7 @@ class ControlInput {
   Options options_;
   Health* health_;
   sensor::OdometryCheck check_;
-  ScanOdometry scan_odometry_;
+  LidarOdometry lidar_odometry_;
   std::optional<backend::SE2> odom_T_previous_;  // of kRaw: what the log last said
   StandStill stand_still_;                       // of kRaw
   bool has_reported_sweep_ = false;

@@ -59,7 +59,7 @@ void ImprovedGmapping::Process(const sensor::LaserScan& measured, ScanResult* re
   ++counts_.scans;
 
   // Steps 4' and 6: what the graph thread has found out corrects the particles.
-  if (const auto optimized = graph_thread_.Advance()) TakeOver(*optimized);
+  if (const auto optimized = graph_thread_.Advance()) ApplyOptimizedGraph(*optimized);
 
   const bool is_update = (UpdateIsDue(u, UpdateDensity(scan)) || ambiguous) && motion.matched;
   // In units of what triggers an update; the 1e-9 spreads by number of scans if nothing moved.
@@ -180,7 +180,7 @@ void ImprovedGmapping::StartOptimization() {
 }
 
 // Eq. (14). Poses that came in since the optimization started move with its last one.
-void ImprovedGmapping::TakeOver(const backend::PoseGraph& optimized) {
+void ImprovedGmapping::ApplyOptimizedGraph(const backend::PoseGraph& optimized) {
   const particle_filter::PathCorrection correction{world_T_nodes_before_,
                                                    backend::PosesOf(optimized)};
   if (correction.after == correction.before) return;
@@ -252,34 +252,34 @@ backend::Trajectory ImprovedGmapping::CurrentTrajectory() const {
   return scan_poses_.Fill(backend::PosesOf(path.graph()));
 }
 
-Estimate ImprovedGmapping::CurrentEstimate() const {
+SlamResult ImprovedGmapping::CurrentResult() const {
   backend::PoseGraphRecorder recorder;
   EmitGraph(&recorder);
   return {recorder.graph(), CurrentTrajectory(), CurrentMap()};
 }
 
-Estimate ImprovedGmapping::Finish() {
-  if (const auto optimized = graph_thread_.Finish()) TakeOver(*optimized);
+SlamResult ImprovedGmapping::Finish() {
+  if (const auto optimized = graph_thread_.Finish()) ApplyOptimizedGraph(*optimized);
   const int nodes = static_cast<int>(node_scans_.size());
   const loop_closure::Pieces& pieces = loop_closer_.pieces();
-  if (!options_.make_final_round) {
+  if (!options_.make_final_optimization) {
     ReportPieces(is_drawn_);
-    return CurrentEstimate();
+    return CurrentResult();
   }
-  FinalRound final_round(
-      options_.final_round,
+  FinalOptimization final_optimization(
+      options_.final_optimization,
       {.scans = &archive_,
        .node_scans = &node_scans_,
        .scan_poses = &scan_poses_,
        .grid = options_.filter.grid,
-       .registration = options_.filter.registration,
+       .insertion = options_.filter.insertion,
        .pieces = &pieces,
        .is_lost = &is_lost_,
        .loop_closer = options_.close_loops ? &loop_closer_ : nullptr,
        .optimize = [this](const backend::PoseGraph& graph) { return graph_thread_.Run(graph); }});
   backend::PoseGraphRecorder path;
   EmitPath(&path);
-  Estimate estimate = final_round.Finish(path.graph());
+  SlamResult estimate = final_optimization.Finish(path.graph());
   ReportPieces(pieces.Largest(nodes, loop_closer_.closures()));
   return estimate;
 }

@@ -10,8 +10,7 @@
 #include "backend/scheduling/optimization_thread.h"
 #include "frontend/api/scan_result.h"
 #include "frontend/control_input.h"
-#include "frontend/estimate.h"
-#include "frontend/final_round.h"
+#include "frontend/final_optimization.h"
 #include "frontend/graph_thread.h"
 #include "frontend/health.h"
 #include "frontend/loop_closure/loop_closer.h"
@@ -21,6 +20,7 @@
 #include "frontend/scan_poses.h"
 #include "frontend/sensor/laser_scan.h"
 #include "frontend/sensor/scan_archive.h"
+#include "frontend/slam_result.h"
 
 namespace gmapping_spa::frontend {
 
@@ -51,8 +51,8 @@ class ImprovedGmapping {
     GraphThread::Options graph_thread;
     Correction correction = Correction::kTrajectory;
     // Without it the result is what the best particle knows.
-    bool make_final_round = true;
-    FinalRound::Options final_round;
+    bool make_final_optimization = true;
+    FinalOptimization::Options final_optimization;
     friend bool operator==(const Options&, const Options&) = default;
   };
 
@@ -75,18 +75,19 @@ class ImprovedGmapping {
   // that a map can cover.
   ScanResult AddScan(const sensor::LaserScan& measured);
 
-  // The pose graph as it is now: the best particle's path, a node an update with ids 0, 1, ..., and
-  // the accepted loop closures.
+  // The pose graph as it is now: the best particle's path, one node per update with ids 0, 1, ...,
+  // and the accepted loop closures.
   void EmitGraph(backend::PoseGraphSink* sink) const;
 
   // What the best particle knows so far. Each needs at least one scan.
   backend::SE2 CurrentPose() const;
   backend::Trajectory CurrentTrajectory() const;
   const map::OccupancyGrid& CurrentMap() const { return BestParticle().map; }
-  Estimate CurrentEstimate() const;
+  SlamResult CurrentResult() const;
 
-  // After the last scan: waits for the back end and makes the final round. Needs at least one scan.
-  Estimate Finish();
+  // After the last scan: waits for the back end and makes the final optimization. Needs at least
+  // one scan.
+  SlamResult Finish();
 
   const Counts& counts() const { return counts_; }
   const particle_filter::ParticleFilter& filter() const { return filter_; }
@@ -101,7 +102,7 @@ class ImprovedGmapping {
   void BeginPiece(int scans);
   particle_filter::ParticleFilter::Control ControlSinceUpdate() const;
   bool UpdateIsDue(const backend::SE2& u, double density);
-  void TakeOver(const backend::PoseGraph& optimized);
+  void ApplyOptimizedGraph(const backend::PoseGraph& optimized);
   void UpdateFilter(const sensor::LaserScan& scan,
                     const std::vector<particle_filter::ParticleFilter::Control>& controls);
   sensor::LaserScan DrawnScanOfNode(int node) const;

@@ -24,8 +24,8 @@ OdometrySource SourceOf(SlamOptions::Odometry odometry) {
       return OdometrySource::kRaw;
     case SlamOptions::Odometry::kWheel:
       return OdometrySource::kWheel;
-    case SlamOptions::Odometry::kScanMatched:
-      return OdometrySource::kScanMatched;
+    case SlamOptions::Odometry::kLidar:
+      return OdometrySource::kLidar;
     case SlamOptions::Odometry::kLidarOnly:
       return OdometrySource::kLidarOnly;
   }
@@ -74,10 +74,10 @@ EndpointModel::Options EndpointOptions(const SlamOptions& options) {
 
 EdgeModel::Options EdgeOptions(const SlamOptions& options) {
   EdgeModel::Options edges;
-  const bool scans_give_motion = options.odometry == SlamOptions::Odometry::kScanMatched ||
+  const bool scans_give_motion = options.odometry == SlamOptions::Odometry::kLidar ||
                                  options.odometry == SlamOptions::Odometry::kLidarOnly;
   edges.measurement =
-      scans_give_motion && options.edge_measurement == SlamOptions::EdgeMeasurement::kScanOdometry
+      scans_give_motion && options.edge_measurement == SlamOptions::EdgeMeasurement::kLidarOdometry
           ? EdgeModel::Measurement::kControl
           : EdgeModel::Measurement::kParticle;
   edges.information = InformationOf(options.edge_information);
@@ -109,7 +109,7 @@ ParticleFilter::Options FilterOptions(const SlamOptions& options) {
                    .angular_floor_rad = options.motion_angular_floor_rad,
                    .noise_at_each_scan = options.motion_noise == SlamOptions::MotionNoise::kScan};
   filter.grid = {.resolution_m = options.resolution_m, .full_threshold = options.full_threshold};
-  filter.registration.no_return_clears = options.no_return_clears;
+  filter.insertion.no_return_clears = options.no_return_clears;
   filter.endpoint = EndpointOptions(options);
   return filter;
 }
@@ -119,17 +119,17 @@ ControlInput::Options ControlOptions(const SlamOptions& options) {
   control.source = SourceOf(options.odometry);
   control.check = {.max_speed_m_s = options.max_speed_m_s,
                    .max_turn_rad_s = options.max_turn_rad_s};
-  control.scan_odometry.gauss_newton = GaussNewtonOptions(options);
-  control.scan_odometry.grid.resolution_m = options.resolution_m;
-  control.scan_odometry.prior.max_speed_m_s = options.max_speed_m_s;
-  control.scan_odometry.prior.max_turn_rad_s = options.max_turn_rad_s;
-  control.scan_odometry.sweep_duration_s = options.sweep_duration_s;
+  control.lidar_odometry.gauss_newton = GaussNewtonOptions(options);
+  control.lidar_odometry.grid.resolution_m = options.resolution_m;
+  control.lidar_odometry.prior.max_speed_m_s = options.max_speed_m_s;
+  control.lidar_odometry.prior.max_turn_rad_s = options.max_turn_rad_s;
+  control.lidar_odometry.sweep_duration_s = options.sweep_duration_s;
   return control;
 }
 
 loop_closure::LoopCloser::Options CloserOptions(const SlamOptions& options) {
   loop_closure::LoopCloser::Options closer;
-  closer.candidates.min_way_m = options.closure_min_way_m;
+  closer.candidates.min_path_length_m = options.closure_min_path_length_m;
   closer.candidates.max_distance_m = options.closure_max_distance_m;
   closer.drift.m_per_m = options.closure_drift_m_per_m;
   closer.drift.rad_per_m = options.closure_drift_rad_per_m;
@@ -137,9 +137,9 @@ loop_closure::LoopCloser::Options CloserOptions(const SlamOptions& options) {
   closer.verifier.grid.resolution_m = options.resolution_m;
   closer.verifier.gauss_newton = GaussNewtonOptions(options);
   closer.verifier.search.min_score = options.closure_min_score;
-  closer.verifier.max_second_score = options.closure_max_second_score;
+  closer.verifier.max_runner_up_score = options.closure_max_runner_up_score;
   closer.verifier.min_overlap = options.closure_min_overlap;
-  closer.verifier.min_fit = options.closure_min_fit;
+  closer.verifier.min_fit = options.closure_min_inlier_ratio;
   closer.verifier.information_gain = options.closure_information_gain;
   return closer;
 }
@@ -161,9 +161,9 @@ ImprovedGmapping::Options GmappingOptions(const SlamOptions& options) {
   gmapping.correction = options.correction == SlamOptions::Correction::kPose
                             ? ImprovedGmapping::Correction::kPose
                             : ImprovedGmapping::Correction::kTrajectory;
-  gmapping.make_final_round = options.final_round;
-  gmapping.final_round.refine = options.refine;
-  gmapping.final_round.gauss_newton = GaussNewtonOptions(options);
+  gmapping.make_final_optimization = options.final_optimization;
+  gmapping.final_optimization.refine = options.refine;
+  gmapping.final_optimization.gauss_newton = GaussNewtonOptions(options);
   return gmapping;
 }
 
@@ -172,7 +172,7 @@ std::shared_ptr<const scan_matching::ScanMatcher> MakeScanMatcher(const SlamOpti
     return std::make_shared<HillClimbing>(
         HillClimbing::Options{.linear_step_m = options.match_linear_step_m,
                               .angular_step_rad = options.match_angular_step_rad,
-                              .halvings = options.match_halvings,
+                              .num_refinements = options.match_refinements,
                               .min_score = options.match_min_score},
         EndpointOptions(options));
   }

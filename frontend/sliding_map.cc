@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "frontend/map/scan_registration.h"
+#include "frontend/map/scan_insertion.h"
 #include "frontend/scan_density.h"
 
 namespace gmapping_spa::frontend {
@@ -20,20 +20,20 @@ constexpr double kRenewAt = 0.25;
 // People leave hits in the map, which later beams clear; walls that are met at a flat angle stay.
 constexpr double kClearMargin_m = 0.2;
 
-// Hit means of the full cells within a square around the centre.
-std::vector<Eigen::Vector2d> Surfaces(const map::OccupancyGrid& grid, const SE2& centre,
+// Hit means of the occupied cells within a square around the center.
+std::vector<Eigen::Vector2d> Surfaces(const map::OccupancyGrid& grid, const SE2& center,
                                       double half_width_m) {
   const double resolution_m = grid.resolution_m();
   const map::OccupancyGrid::Extent extent = grid.KnownExtent();
   const auto cell = [&](double m) { return map::FloorToCell(m / resolution_m); };
-  const int min_x = std::max(extent.min.x, cell(centre.x - half_width_m));
-  const int max_x = std::min(extent.max.x, cell(centre.x + half_width_m));
-  const int min_y = std::max(extent.min.y, cell(centre.y - half_width_m));
-  const int max_y = std::min(extent.max.y, cell(centre.y + half_width_m));
+  const int min_x = std::max(extent.min.x, cell(center.x - half_width_m));
+  const int max_x = std::min(extent.max.x, cell(center.x + half_width_m));
+  const int min_y = std::max(extent.min.y, cell(center.y - half_width_m));
+  const int max_y = std::min(extent.max.y, cell(center.y + half_width_m));
   std::vector<Eigen::Vector2d> points;
   for (int y = min_y; y < max_y; ++y) {
     for (int x = min_x; x < max_x; x += 8) {
-      for (std::uint32_t bits = grid.FullBits({x, y}); bits != 0; bits &= bits - 1) {
+      for (std::uint32_t bits = grid.OccupiedBits({x, y}); bits != 0; bits &= bits - 1) {
         const int column = x + std::countr_zero(bits);
         const map::Cell& full = grid.cell({column, y});
         constexpr double kPerUnit = 1.0 / map::Cell::kMeanScale;
@@ -54,13 +54,13 @@ SlidingMap::SlidingMap(const map::OccupancyGrid::Options& grid, int scans)
 
 // Enters the scan into both maps. The second one is begun when the first is half full, and takes
 // its place when that is full: the map in use always holds the last half.
-void SlidingMap::Enter(const sensor::LaserScan& scan, const SE2& odom_T_robot) {
+void SlidingMap::Insert(const sensor::LaserScan& scan, const SE2& odom_T_robot) {
   if (maps_.empty() || maps_.back().scans >= 0.5 * scans_) {
     if (maps_.size() == 2) maps_.erase(maps_.begin());
     maps_.push_back({map::OccupancyGrid(grid_options_)});
   }
   for (LocalMap& local : maps_) {
-    map::RegisterScan(scan, odom_T_robot, {.clear_margin_m = kClearMargin_m}, &local.grid);
+    map::InsertScan(scan, odom_T_robot, {.clear_margin_m = kClearMargin_m}, &local.grid);
     local.scans += ScanDensity(scan);
   }
   search_.reset();
@@ -74,9 +74,9 @@ void SlidingMap::Clear() {
 const scan_matching::CorrelativeMatcher& SlidingMap::Search(
     const scan_matching::CorrelativeMatcher::Options& options, const SE2& odom_T_robot,
     double reach_m) {
-  const double off_m = Between(search_centre_, odom_T_robot).translation().norm();
+  const double off_m = Between(search_center_, odom_T_robot).translation().norm();
   if (!search_ || off_m > kRenewAt * reach_m) {
-    search_centre_ = odom_T_robot;
+    search_center_ = odom_T_robot;
     search_ = std::make_unique<scan_matching::CorrelativeMatcher>(
         options, Surfaces(grid(), odom_T_robot, (1.0 + kRenewAt) * reach_m));
   }

@@ -1,4 +1,4 @@
-// The map of the last metres, for scan-matched odometry.
+// The map of the last metres, for lidar odometry.
 #ifndef GMAPPING_SPA_FRONTEND_SLIDING_MAP_H_
 #define GMAPPING_SPA_FRONTEND_SLIDING_MAP_H_
 
@@ -21,7 +21,7 @@ class SlidingMap {
   bool empty() const { return maps_.empty(); }
   const map::OccupancyGrid& grid() const { return maps_.front().grid; }
 
-  void Enter(const sensor::LaserScan& scan, const backend::SE2& odom_T_robot);
+  void Insert(const sensor::LaserScan& scan, const backend::SE2& odom_T_robot);
   // Forgets everything.
   void Clear();
 
@@ -41,7 +41,7 @@ class SlidingMap {
   int scans_;
   std::vector<LocalMap> maps_;  // the one in use and the one to replace it
   std::unique_ptr<scan_matching::CorrelativeMatcher> search_;
-  backend::SE2 search_centre_;
+  backend::SE2 search_center_;
 };
 
 }  // namespace gmapping_spa::frontend

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "frontend/map/scan_registration.h"
+#include "frontend/map/scan_insertion.h"
 #include "frontend/scan_matching/scan_points.h"
 #include "frontend/scan_matching/sweep_fit.h"
 #include "frontend/sensor/deskew.h"
@@ -91,8 +91,8 @@ void SweepDuration::Learn(const sensor::LaserScan& scan, const SE2& odom_T_robot
 void SweepDuration::Measure(Reference* reference) {
   if (!reference->grid) {
     reference->grid.emplace(grid_options_);
-    map::RegisterScan(sensor::Deskew(reference->at.scan, value_s_ * reference->at.velocity),
-                      reference->at.odom_T_robot, {}, &*reference->grid);
+    map::InsertScan(sensor::Deskew(reference->at.scan, value_s_ * reference->at.velocity),
+                    reference->at.odom_T_robot, {}, &*reference->grid);
   }
   const scan_matching::ScanPoints points = scan_matching::MakeScanPoints(latest_.scan);
   SweepFit best;

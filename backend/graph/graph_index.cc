@@ -74,10 +74,10 @@ GraphIndex IndexGraph(const PoseGraphView& graph) {
   for (int k = 0; k < node_count; ++k) {
     if (graph.nodes[k].fixed) component_has_fixed[FindRoot(parent, k)] = true;
   }
-  index.held.resize(node_count);
+  index.fixed.resize(node_count);
   for (int k = 0; k < node_count; ++k) {
     const bool first_of_free_component = parent[k] == k && !component_has_fixed[k];
-    index.held[k] = graph.nodes[k].fixed || first_of_free_component;
+    index.fixed[k] = graph.nodes[k].fixed || first_of_free_component;
   }
   return index;
 }

@@ -19,7 +19,7 @@ struct GraphIndex {
   std::vector<EdgeNodes> edges;  // one for each of PoseGraph::edges
   // For each node, whether an optimizer leaves it where it is: fixed nodes, and the first node of
   // each connected component that has none.
-  std::vector<bool> held;
+  std::vector<bool> fixed;
 };
 
 // Throws std::invalid_argument with one line when two nodes share an id or an edge names a node

@@ -36,7 +36,7 @@ struct PlanarQuaternion {
 };
 
 // The quaternion from which Yaw gets back exactly `theta`. Sine and cosine are rounded, so that the
-// angle of the nearest doubles may be off by one in its last digit; a close neighbour has it.
+// angle of the nearest doubles may be off by one in its last digit; a close neighbor has it.
 PlanarQuaternion FromYaw(double theta) {
   constexpr int kMaxUlps = 3;
   const PlanarQuaternion nearest = {std::sin(theta / 2.0), std::cos(theta / 2.0)};

@@ -31,7 +31,7 @@ void InitializeAlongTree(const PoseGraphView& graph, const GraphIndex& index, bo
                          std::vector<SE2>* poses) {
   const int node_count = static_cast<int>(graph.nodes.size());
   const Incidence incidence = MakeIncidence(index, node_count);
-  std::vector<bool> reached = index.held;
+  std::vector<bool> reached = index.fixed;
   std::queue<int> along_odometry, along_any;
   for (int k = 0; k < node_count; ++k) {
     if (!reached[k]) continue;

@@ -27,8 +27,8 @@ std::string Violation(const PoseGraph& result, const std::vector<Node>& before,
     if (!node.world_T_node.IsFinite()) {
       return "it returned a pose of node " + std::to_string(node.id) + " that is not finite";
     }
-    if (index.held[k] && !(node.world_T_node == original.world_T_node)) {
-      return "it moved node " + std::to_string(node.id) + ", which is held";
+    if (index.fixed[k] && !(node.world_T_node == original.world_T_node)) {
+      return "it moved node " + std::to_string(node.id) + ", which is fixed";
     }
   }
   *cost = GraphCost(result, index, options.loss);

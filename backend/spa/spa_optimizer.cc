@@ -31,7 +31,7 @@ constexpr double kDampingFactor = 10.0;
 constexpr double kLastStepDecrease = 1e-2;
 
 // Steps that may miss the lowest cost on the way from a coarse start.
-constexpr int kPatientRises = 20;
+constexpr int kManyNonmonotonicSteps = 20;
 
 // How many times the last result's cost given poses may have and still pass for its continuation.
 constexpr double kContinuationCostRatio = 2.0;
@@ -82,7 +82,7 @@ SpaOptimizer::Settings SpaOptimizer::ReadSettings(const Options& options) {
   Settings settings{};
   settings.cholmod = reader.Choice("solver", {"block", "cholmod"}) == "cholmod";
   settings.damping = reader.Number("damping", 0.0, 0.0);
-  settings.max_rises = reader.Integer("max_rises", 2, 0);
+  settings.max_nonmonotonic_steps = reader.Integer("max_nonmonotonic_steps", 2, 0);
   reader.RejectOthers();
   return settings;
 }
@@ -145,7 +145,7 @@ bool SpaOptimizer::Minimize(const Options& options, const Settings& settings,
                             const PoseGraphView& graph, bool give_up_early, std::vector<SE2>* poses,
                             Summary* summary) {
   double damping = damping_.value_or(settings.damping);
-  int rises = 0;
+  int nonmonotonic_steps = 0;
   std::vector<SE2> current = *poses;
   std::vector<BlockVector<3>> step;
   summary->final_cost = memory_.equations.cost;
@@ -184,13 +184,13 @@ bool SpaOptimizer::Minimize(const Options& options, const Settings& settings,
       summary->final_cost = record.cost;
       *poses = current;
       damping = Lowered(damping);
-      rises = 0;
+      nonmonotonic_steps = 0;
     } else if (converged) {
       // The step is too short to tell; keep what there is.
     } else if (solved && damping == 0.0 && std::isfinite(record.cost) &&
-               rises < settings.max_rises) {
+               nonmonotonic_steps < settings.max_nonmonotonic_steps) {
       // Gauss-Newton often leaves a poor start over a hill; let it.
-      ++rises;
+      ++nonmonotonic_steps;
     } else {
       if (give_up_early && damping == 0.0) {
         record.total_s = SecondsSince(iteration_start);
@@ -198,7 +198,7 @@ bool SpaOptimizer::Minimize(const Options& options, const Settings& settings,
         return false;
       }
       damping = Raised(damping);
-      rises = 0;
+      nonmonotonic_steps = 0;
       if (solved) {
         current = *poses;
         LinearizeAt(options, graph, current);
@@ -215,7 +215,8 @@ bool SpaOptimizer::Minimize(const Options& options, const Settings& settings,
     }
   }
   // Steps that only raised the cost are lost with the call, but not their lesson.
-  damping_ = damping > kLastDamping ? settings.damping : (rises > 0 ? Raised(damping) : damping);
+  damping_ = damping > kLastDamping ? settings.damping
+                                    : (nonmonotonic_steps > 0 ? Raised(damping) : damping);
   return true;
 }
 
@@ -225,11 +226,12 @@ void SpaOptimizer::TryAnotherStart(const Options& options, const Settings& setti
   std::vector<SE2> other = PosesOf(graph);
   if (InitializeChordalJointly(graph, structure_, &memory_, &other)) {
     LinearizeAt(options, graph, other);
-    Settings patient = settings;
-    patient.max_rises = std::max(settings.max_rises, kPatientRises);
+    Settings nonmonotonic = settings;
+    nonmonotonic.max_nonmonotonic_steps =
+        std::max(settings.max_nonmonotonic_steps, kManyNonmonotonicSteps);
     Summary second = *summary;
     const bool finished =
-        Minimize(options, patient, graph, /*give_up_early=*/true, &other, &second);
+        Minimize(options, nonmonotonic, graph, /*give_up_early=*/true, &other, &second);
     summary->iterations = second.iterations;
     if (second.final_cost < summary->final_cost) {
       *poses = std::move(other);

@@ -21,7 +21,8 @@ namespace gmapping_spa::spa {
 // Settings:
 //   solver      block (default: our Cholesky factorization of 3x3 blocks) or cholmod
 //   damping     lambda of eq. (5) in the first iteration; default 0
-//   max_rises   steps in succession without a new lowest cost before damping starts; default 2
+//   max_nonmonotonic_steps   steps in succession without a new lowest cost before damping starts;
+//   default 2
 //
 // Initialization kAuto keeps given poses that cost about what the result of the call before did, as
 // in the online case; else it starts from the cheaper one of the given poses and the chordal
@@ -35,7 +36,7 @@ class SpaOptimizer : public backend::Optimizer {
   struct Settings {
     bool cholmod;
     double damping;
-    int max_rises;
+    int max_nonmonotonic_steps;
   };
   static Settings ReadSettings(const backend::Options& options);
 

@@ -75,16 +75,16 @@ void AppendBlocks(const GraphIndex& index, int first_column, BlockStructure* str
 }  // namespace
 
 BlockStructure OrderByMinimumDegree(const GraphIndex& index) {
-  std::vector<int> free_node, number_of_node(index.held.size(), -1);
-  for (int k = 0; k < static_cast<int>(index.held.size()); ++k) {
-    if (index.held[k]) continue;
+  std::vector<int> free_node, number_of_node(index.fixed.size(), -1);
+  for (int k = 0; k < static_cast<int>(index.fixed.size()); ++k) {
+    if (index.fixed[k]) continue;
     number_of_node[k] = static_cast<int>(free_node.size());
     free_node.push_back(k);
   }
   BlockStructure structure;
   const int columns = static_cast<int>(free_node.size());
   structure.node_of_column.resize(columns);
-  structure.column_of_node.assign(index.held.size(), -1);
+  structure.column_of_node.assign(index.fixed.size(), -1);
   structure.begin = {0};
   const Adjacency adjacency = MakeAdjacency(index, number_of_node, 0, 0, columns);
   if (adjacency.row.empty()) {
@@ -106,9 +106,9 @@ BlockStructure OrderByMinimumDegree(const GraphIndex& index) {
 
 bool AppendNewNodes(const GraphIndex& index, BlockStructure* structure) {
   const int first_column = structure->columns();
-  for (std::size_t node = structure->column_of_node.size(); node < index.held.size(); ++node) {
-    structure->column_of_node.push_back(index.held[node] ? -1 : structure->columns());
-    if (!index.held[node]) structure->node_of_column.push_back(static_cast<int>(node));
+  for (std::size_t node = structure->column_of_node.size(); node < index.fixed.size(); ++node) {
+    structure->column_of_node.push_back(index.fixed[node] ? -1 : structure->columns());
+    if (!index.fixed[node]) structure->node_of_column.push_back(static_cast<int>(node));
   }
   for (std::size_t e = structure->slot_of_edge.size(); e < index.edges.size(); ++e) {
     const int i = structure->column_of_node[index.edges[e].i];

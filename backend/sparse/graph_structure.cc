@@ -17,9 +17,9 @@ bool IsPrefix(const std::vector<T>& prefix, const std::vector<T>& whole) {
 }  // namespace
 
 void GraphStructure::Update(backend::GraphIndex index) {
-  const bool grown = IsPrefix(index_.edges, index.edges) && IsPrefix(index_.held, index.held);
-  const bool same =
-      grown && index_.edges.size() == index.edges.size() && index_.held.size() == index.held.size();
+  const bool grown = IsPrefix(index_.edges, index.edges) && IsPrefix(index_.fixed, index.fixed);
+  const bool same = grown && index_.edges.size() == index.edges.size() &&
+                    index_.fixed.size() == index.fixed.size();
   index_ = std::move(index);
   changed_ = !same || symbolic_.columns() == 0;
   if (!changed_) return;

@@ -42,7 +42,7 @@ DEFINE_string(backend_settings, "",
 DEFINE_string(spa_solver, "block",
               "Linear solver of spa: block (Cholesky factorization of 3x3 blocks) or cholmod.");
 DEFINE_double(spa_damping, 0.0, "First damping lambda of spa (eq. 5); 0: Gauss-Newton.");
-DEFINE_int32(spa_max_rises, 2,
+DEFINE_int32(spa_max_nonmonotonic_steps, 2,
              "Number of steps in succession by which spa may fail to lower the cost before it "
              "starts damping.");
 DEFINE_string(

@@ -6,16 +6,18 @@ namespace gmapping_spa::apps {
 
 void WriteClosures(const std::vector<loop_closure::ClosureRecord>& records,
                    const std::vector<backend::Node>& nodes, std::ostream& out) {
-  out << "old_node,node,old_stamp_s,stamp_s,way_m,distance_m,score,second_score,overlap,fit,"
-         "mutual_fit,gate,x_m,y_m,theta_rad,source,verdict\n";
+  out << "old_node,node,old_stamp_s,stamp_s,path_length_m,distance_m,score,runner_up_score,overlap,"
+         "inlier_ratio,"
+         "mutual_inlier_ratio,mahalanobis_sq,x_m,y_m,theta_rad,source,verdict\n";
   for (const loop_closure::ClosureRecord& record : records) {
     const backend::SE2& pose = record.old_T_node;
     out << std::fixed << record.old_node << ',' << record.node << ',' << std::setprecision(6)
         << nodes.at(record.old_node).stamp_s << ',' << nodes.at(record.node).stamp_s << ','
-        << std::setprecision(3) << record.way_m << ',' << record.distance_m << ',' << record.score
-        << ',' << record.second_score << ',' << record.overlap << ',' << record.fit << ','
-        << record.mutual_fit << ',' << record.gate << ',' << std::setprecision(4) << pose.x << ','
-        << pose.y << ',' << pose.theta << ',' << loop_closure::SourceName(record.source) << ','
+        << std::setprecision(3) << record.path_length_m << ',' << record.distance_m << ','
+        << record.score << ',' << record.runner_up_score << ',' << record.overlap << ','
+        << record.inlier_ratio << ',' << record.mutual_inlier_ratio << ',' << record.mahalanobis_sq
+        << ',' << std::setprecision(4) << pose.x << ',' << pose.y << ',' << pose.theta << ','
+        << loop_closure::SourceName(record.source) << ','
         << loop_closure::VerdictName(record.verdict) << '\n';
   }
 }

@@ -12,7 +12,7 @@ using gmapping_spa::apps::NameOf;
 
 const SlamOptions kSlam;
 const Choices<SlamOptions::EdgeMeasurement> kEdgeMeasurement = {
-    {"scan_odometry", SlamOptions::EdgeMeasurement::kScanOdometry},
+    {"lidar_odometry", SlamOptions::EdgeMeasurement::kLidarOdometry},
     {"particle", SlamOptions::EdgeMeasurement::kParticle}};
 const Choices<SlamOptions::EdgeInformation> kEdgeInformation = {
     {"proposal", SlamOptions::EdgeInformation::kProposal},
@@ -28,7 +28,7 @@ const Choices<SlamOptions::Correction> kCorrection = {
 }  // namespace
 
 DEFINE_string(edge_measurement, NameOf(kEdgeMeasurement, kSlam.edge_measurement),
-              "What an edge between successive nodes of the pose graph measures: scan_odometry "
+              "What an edge between successive nodes of the pose graph measures: lidar_odometry "
               "(the motion that matching every scan found; with --odometry=raw or wheel as "
               "particle) or particle (the step of the best particle).");
 DEFINE_string(edge_information, NameOf(kEdgeInformation, kSlam.edge_information),
@@ -37,7 +37,7 @@ DEFINE_string(edge_information, NameOf(kEdgeInformation, kSlam.edge_information)
 
 DEFINE_bool(loop_closure, kSlam.loop_closure,
             "Look for loop closures and add them to the pose graph.");
-DEFINE_double(closure_min_way_m, kSlam.closure_min_way_m,
+DEFINE_double(closure_min_path_length_m, kSlam.closure_min_path_length_m,
               "Loop closures: path length in m from one node to the other, the shortest way "
               "through the graph, from which on they may be closed.");
 DEFINE_double(closure_max_distance_m, kSlam.closure_max_distance_m,
@@ -54,13 +54,13 @@ DEFINE_bool(closure_everywhere, kSlam.closure_everywhere,
             "recognition), however large the drift. Without it, near the estimate only.");
 DEFINE_double(closure_min_score, kSlam.closure_min_score,
               "Loop closures: least score, 0 to 1, of correlative scan matching.");
-DEFINE_double(closure_max_second_score, kSlam.closure_max_second_score,
+DEFINE_double(closure_max_runner_up_score, kSlam.closure_max_runner_up_score,
               "Loop closures: a match is ambiguous, and refused, where another pose scores more "
               "than this part, 0 to 1, of the best score.");
 DEFINE_double(closure_min_overlap, kSlam.closure_min_overlap,
               "Loop closures: least part, 0 to 1, of the new end points that must lie in the known "
               "part of the old local map.");
-DEFINE_double(closure_min_fit, kSlam.closure_min_fit,
+DEFINE_double(closure_min_inlier_ratio, kSlam.closure_min_inlier_ratio,
               "Loop closures: least part, 0 to 1, of the new end points in the known part of the "
               "old local map that must end at its obstacles.");
 DEFINE_double(closure_information_gain, kSlam.closure_information_gain,
@@ -85,12 +85,12 @@ DEFINE_string(
     "What an optimized graph moves of each particle (eq. 14): pose (its current pose, as the paper "
     "writes it) or trajectory (its whole trajectory, and its map is built anew).");
 
-DEFINE_bool(final_round, kSlam.final_round,
+DEFINE_bool(final_optimization, kSlam.final_optimization,
             "After the last scan, look for loop closures of all nodes, optimize, align all scans "
             "with the map (--refine) and build the map from all scans.");
-DEFINE_int32(
-    refine, kSlam.refine,
-    "Number of times that the final round aligns all scans with the map and optimizes; 0: never.");
+DEFINE_int32(refine, kSlam.refine,
+             "Number of times that the final optimization aligns all scans with the map and "
+             "optimizes; 0: never.");
 
 namespace gmapping_spa::apps {
 
@@ -99,15 +99,15 @@ void AddGraphOptions(SlamOptions* options) {
   options->edge_information = OneOf("edge_information", FLAGS_edge_information, kEdgeInformation);
 
   options->loop_closure = FLAGS_loop_closure;
-  options->closure_min_way_m = FLAGS_closure_min_way_m;
+  options->closure_min_path_length_m = FLAGS_closure_min_path_length_m;
   options->closure_max_distance_m = FLAGS_closure_max_distance_m;
   options->closure_drift_m_per_m = FLAGS_closure_drift_m_per_m;
   options->closure_drift_rad_per_m = FLAGS_closure_drift_rad_per_m;
   options->closure_everywhere = FLAGS_closure_everywhere;
   options->closure_min_score = FLAGS_closure_min_score;
-  options->closure_max_second_score = FLAGS_closure_max_second_score;
+  options->closure_max_runner_up_score = FLAGS_closure_max_runner_up_score;
   options->closure_min_overlap = FLAGS_closure_min_overlap;
-  options->closure_min_fit = FLAGS_closure_min_fit;
+  options->closure_min_inlier_ratio = FLAGS_closure_min_inlier_ratio;
   options->closure_information_gain = FLAGS_closure_information_gain;
 
   options->optimize_every = FLAGS_optimize_every;
@@ -115,7 +115,7 @@ void AddGraphOptions(SlamOptions* options) {
   options->lockstep_scans = FLAGS_lockstep_scans;
   options->graph_timeout_s = FLAGS_graph_timeout_s;
   options->correction = OneOf("correction", FLAGS_correction, kCorrection);
-  options->final_round = FLAGS_final_round;
+  options->final_optimization = FLAGS_final_optimization;
   options->refine = FLAGS_refine;
 }
 

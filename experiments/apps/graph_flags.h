@@ -1,4 +1,4 @@
-// Flags of the pose graph: its edges, loop closures, graph thread, correction, final round.
+// Flags of the pose graph: its edges, loop closures, graph thread, correction, final optimization.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_GRAPH_FLAGS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_GRAPH_FLAGS_H_
 

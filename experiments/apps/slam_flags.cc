@@ -19,7 +19,7 @@ const SlamOptions kSlam;
 const Choices<SlamOptions::Odometry> kOdometry = {
     {"raw", SlamOptions::Odometry::kRaw},
     {"wheel", SlamOptions::Odometry::kWheel},
-    {"scan_matched", SlamOptions::Odometry::kScanMatched},
+    {"lidar", SlamOptions::Odometry::kLidar},
     {"lidar_only", SlamOptions::Odometry::kLidarOnly}};
 const Choices<SlamOptions::ScanMatcher> kScanMatcher = {
     {"hill_climbing", SlamOptions::ScanMatcher::kHillClimbing},
@@ -56,7 +56,7 @@ DEFINE_string(
     odometry, NameOf(kOdometry, kSlam.odometry),
     "Control input of the filter: raw (the log's odometry, right or wrong, as GMapping takes it), "
     "wheel (the log's odometry without impossible steps; scans tell how far to trust it), "
-    "scan_matched (every scan is matched with the last ones, the wheels are a part of the prior) "
+    "lidar (every scan is matched with the last ones, the wheels are a part of the prior) "
     "or lidar_only (scans alone; the log's odometry is not used).");
 DEFINE_double(max_speed_m_s, kSlam.max_speed_m_s,
               "Highest speed of the robot, m/s. A faster step of the odometry is left out.");
@@ -100,7 +100,7 @@ DEFINE_double(match_linear_step_m, kSlam.match_linear_step_m,
               "First step of hill climbing in the position, m.");
 DEFINE_double(match_angular_step_rad, kSlam.match_angular_step_rad,
               "First step of hill climbing in the heading, rad.");
-DEFINE_int32(match_halvings, kSlam.match_halvings,
+DEFINE_int32(match_refinements, kSlam.match_refinements,
              "Number of times that hill climbing halves its steps before it ends.");
 DEFINE_double(match_noise_m, kSlam.match_noise_m,
               "Standard deviation in m of a beam's end point in Gauss-Newton scan matching.");
@@ -185,7 +185,7 @@ void AddMatchingOptions(SlamOptions* options) {
   options->initial_guesses = FLAGS_initial_guesses;
   options->match_linear_step_m = FLAGS_match_linear_step_m;
   options->match_angular_step_rad = FLAGS_match_angular_step_rad;
-  options->match_halvings = FLAGS_match_halvings;
+  options->match_refinements = FLAGS_match_refinements;
   options->match_noise_m = FLAGS_match_noise_m;
   options->match_robust_sigmas = FLAGS_match_robust_sigmas;
   options->match_min_score = FLAGS_match_min_score;

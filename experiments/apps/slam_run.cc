@@ -40,7 +40,7 @@ void SlamRun::AddScan(const sensor::LaserScan& scan) {
 void SlamRun::Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
                      OutputFiles* files) {
   stopwatch_.Lap("processing_s");
-  const frontend::Estimate estimate = gmapping_.Finish();
+  const frontend::SlamResult estimate = gmapping_.Finish();
   stopwatch_.Lap("finish_s");
   const backend::Trajectory& trajectory = estimate.trajectory;
   const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, occupied_threshold_);

@@ -14,7 +14,7 @@ backend::Trajectory SortedByStamp(backend::Trajectory trajectory);
 
 // The pose at a stamp. A pose with exactly that stamp is returned as it is (the first one, if there
 // are several). Otherwise the nearest stamp must not be further away than `max_gap_s`, and the pose
-// is interpolated between the neighbours in time by a motion of constant body velocity; before the
+// is interpolated between the neighbors in time by a motion of constant body velocity; before the
 // first and after the last stamp it is the first or last pose. Nothing if no stamp is that near.
 // `trajectory` must be sorted by stamp.
 std::optional<backend::SE2> PoseAt(const backend::Trajectory& trajectory, double stamp_s,

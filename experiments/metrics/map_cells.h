@@ -12,7 +12,7 @@
 
 namespace gmapping_spa::metrics {
 
-// The neighbours of a cell across its four sides, as steps in columns and rows.
+// The neighbors of a cell across its four sides, as steps in columns and rows.
 inline constexpr std::array<std::array<int, 2>, 4> kSides = {{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
 
 // In units of cells, from the lower left corner of the map.

@@ -27,7 +27,7 @@ std::vector<Relation> ReadRelations(std::istream& in, const std::string& name);
 
 struct RelationsOptions {
   // A relation counts only if each of its two moments has a stamp of the trajectory this near. The
-  // pose is interpolated between neighbours when there is no exact stamp: see PoseAt.
+  // pose is interpolated between neighbors when there is no exact stamp: see PoseAt.
   double max_gap_s = 0.1;
 };
 

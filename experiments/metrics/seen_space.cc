@@ -19,7 +19,7 @@ using map::CellState;
 constexpr double kViewPointDistance_m = 0.25;
 constexpr int kDirections = 1440;
 
-// The bit of the side with the neighbour at this step.
+// The bit of the side with the neighbor at this step.
 std::uint8_t SideBit(int step_x, int step_y) {
   const auto side = std::find(kSides.begin(), kSides.end(), std::array{step_x, step_y});
   return static_cast<std::uint8_t>(1 << (side - kSides.begin()));

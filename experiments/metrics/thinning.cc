@@ -22,10 +22,10 @@ bool MayGo(const TrinaryMap& map, int column, int row, bool first_half) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     p[i] = StateAt(map, column + kAround[i][0], row + kAround[i][1]) == CellState::kOccupied;
   }
-  int begins = 0;  // of runs of occupied neighbours
+  int begins = 0;  // of runs of occupied neighbors
   for (std::size_t i = 0; i < p.size(); ++i) begins += !p[i] && p[(i + 1) % p.size()];
-  const auto neighbours = std::count(p.begin(), p.end(), true);
-  if (neighbours < 2 || neighbours > 6 || begins != 1) return false;
+  const auto neighbors = std::count(p.begin(), p.end(), true);
+  if (neighbors < 2 || neighbors > 6 || begins != 1) return false;
   const auto [top, right, bottom, left] = std::array{p[0], p[2], p[4], p[6]};
   return first_half ? !(top && right && bottom) && !(right && bottom && left)
                     : !(top && right && left) && !(top && bottom && left);

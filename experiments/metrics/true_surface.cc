@@ -13,7 +13,7 @@ namespace {
 using map::CellState;
 using map::TrinaryMap;
 
-constexpr int kNeighbourCells = 3;
+constexpr int kNeighborCells = 3;
 constexpr double kSideCells = 2.0;
 constexpr double kMaxOffLineCells = 0.6;  // the steps of a slanted wall are half a cell off
 
@@ -42,11 +42,10 @@ std::optional<Eigen::Vector2d> StraightNormal(const std::vector<SurfaceElement>&
   };
   std::vector<Eigen::Vector2d> points;  // in cells, from the middle of the element
   Eigen::Vector2d mean = Eigen::Vector2d::Zero(), facing = mean;
-  const auto end = row_begins(element.row + kNeighbourCells + 1);
-  for (auto other = row_begins(element.row - kNeighbourCells); other != end; ++other) {
+  const auto end = row_begins(element.row + kNeighborCells + 1);
+  for (auto other = row_begins(element.row - kNeighborCells); other != end; ++other) {
     const Eigen::Vector2d point = (other->middle() - element.middle()) / resolution_m;
-    if (point.norm() > kNeighbourCells + 1e-6 || Facing(*other).dot(Facing(element)) < 0.0)
-      continue;
+    if (point.norm() > kNeighborCells + 1e-6 || Facing(*other).dot(Facing(element)) < 0.0) continue;
     points.push_back(point);
     mean += point;
     facing += Facing(*other);

@@ -1,7 +1,7 @@
 // The surface of what stands in a true map: where the beams of a laser end.
 //
 // A wall cell of the true map is solid, and its surface is the edge that it shares with free space.
-// A mapper puts its hits there, half a cell in front of the centre of the wall cell; measured from
+// A mapper puts its hits there, half a cell in front of the center of the wall cell; measured from
 // centres, a map without error would be half a cell wrong. So everything is measured from edges.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_TRUE_SURFACE_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_TRUE_SURFACE_H_

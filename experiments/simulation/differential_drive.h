@@ -11,7 +11,7 @@ struct WheelSpeeds {
   double right_m_s = 0.0;
 };
 
-// In the robot frame: forward along x, counter-clockwise about its centre.
+// In the robot frame: forward along x, counter-clockwise about its center.
 struct BodyVelocity {
   double linear_m_s = 0.0;
   double angular_rad_s = 0.0;

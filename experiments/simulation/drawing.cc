@@ -26,7 +26,7 @@ bool DrawShape(const Shape& shape, TrinaryMap* raster) {
   bool drew = false;
   for (int row = first.y(); row <= std::min(last.y(), raster->height - 1); ++row) {
     for (int column = first.x(); column <= std::min(last.x(), raster->width - 1); ++column) {
-      // Edges of shapes often fall on those of cells: half a cell away from any centre, so that
+      // Edges of shapes often fall on those of cells: half a cell away from any center, so that
       // rounding does not move them.
       const Eigen::Vector2d center =
           origin + raster->resolution_m * Eigen::Vector2d(column + 0.5, row + 0.5);

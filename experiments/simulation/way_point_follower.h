@@ -16,7 +16,7 @@ namespace gmapping_spa::simulation {
 // Positions in the world frame, in metres.
 using WayPoints = std::vector<Eigen::Vector2d>;
 
-// Reads the way points of a tour from YAML: `way_points: - [x, y]`, two or more, no two neighbours
+// Reads the way points of a tour from YAML: `way_points: - [x, y]`, two or more, no two neighbors
 // the same; and of those that follow where the robot is carried from the end of each to the start
 // of the next: `carried_to: - [[x, y], [x, y], ...]`.
 // Throws std::runtime_error "<path>[:<line>]: <what was expected, what was found>".

@@ -32,7 +32,7 @@ TrinaryMap EmptyRaster(const map::YamlFile& yaml) {
   return raster;
 }
 
-// In two passes, each of which takes over from the neighbours that it has seen.
+// In two passes, each of which takes over from the neighbors that it has seen.
 std::vector<std::uint8_t> Clearances(const TrinaryMap& raster) {
   constexpr int kMax = 255;
   std::vector<std::uint8_t> clearances(raster.cells.size());
@@ -56,9 +56,9 @@ std::vector<std::uint8_t> Clearances(const TrinaryMap& raster) {
   }
   for (int row = raster.height - 1; row >= 0; --row) {
     for (int column = raster.width - 1; column >= 0; --column) {
-      const int neighbours = std::min({at(column + 1, row), at(column + 1, row + 1),
-                                       at(column, row + 1), at(column - 1, row + 1)});
-      set(column, row, std::min(at(column, row), neighbours + 1));
+      const int neighbors = std::min({at(column + 1, row), at(column + 1, row + 1),
+                                      at(column, row + 1), at(column - 1, row + 1)});
+      set(column, row, std::min(at(column, row), neighbors + 1));
     }
   }
   return clearances;

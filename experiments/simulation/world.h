@@ -30,7 +30,7 @@ class World {
   std::optional<double> CastRay(const Eigen::Vector2d& world_origin, double world_angle_rad,
                                 double max_range_m) const;
 
-  // The point of a solid cell nearest to the centre, or a point of the edge of the world, that lies
+  // The point of a solid cell nearest to the center, or a point of the edge of the world, that lies
   // in the disc; nothing when the disc is free.
   std::optional<Eigen::Vector2d> FindContact(const Eigen::Vector2d& world_center,
                                              double radius_m) const;

@@ -46,7 +46,7 @@ void CheckMatching(const SlamOptions& o) {
   Expect("initial_guesses", o.initial_guesses, 0, 100000);
   Expect("match_linear_step_m", o.match_linear_step_m, 1e-3, 10.0);
   Expect("match_angular_step_rad", o.match_angular_step_rad, 1e-4, 3.0);
-  Expect("match_halvings", o.match_halvings, 0, 20);
+  Expect("match_refinements", o.match_refinements, 0, 20);
   Expect("match_noise_m", o.match_noise_m, 1e-3, 100.0);
   ExpectPositive("match_robust_sigmas", o.match_robust_sigmas);
   ExpectNotNegative("match_min_score", o.match_min_score);
@@ -57,14 +57,14 @@ void CheckMatching(const SlamOptions& o) {
 }
 
 void CheckGraph(const SlamOptions& o) {
-  ExpectNotNegative("closure_min_way_m", o.closure_min_way_m);
+  ExpectNotNegative("closure_min_path_length_m", o.closure_min_path_length_m);
   Expect("closure_max_distance_m", o.closure_max_distance_m, 0.0, 100.0);
   ExpectPart("closure_drift_m_per_m", o.closure_drift_m_per_m);
   ExpectPart("closure_drift_rad_per_m", o.closure_drift_rad_per_m);
   Expect("closure_min_score", o.closure_min_score, 0.01, 1.0);
-  ExpectPart("closure_max_second_score", o.closure_max_second_score);
+  ExpectPart("closure_max_runner_up_score", o.closure_max_runner_up_score);
   ExpectPart("closure_min_overlap", o.closure_min_overlap);
-  ExpectPart("closure_min_fit", o.closure_min_fit);
+  ExpectPart("closure_min_inlier_ratio", o.closure_min_inlier_ratio);
   ExpectPositive("closure_information_gain", o.closure_information_gain);
   Expect("max_iterations", o.optimizer.max_iterations, 0, 1000000000);
   ExpectNotNegative("cost_tolerance", o.optimizer.cost_tolerance);

@@ -8,12 +8,12 @@
 #include <string>
 #include <utility>
 
-#include "backend/plugin/plugin_loader.h"
 #include "backend/graph/pose_graph_sink.h"
-#include "frontend/estimate.h"
+#include "backend/plugin/plugin_loader.h"
 #include "frontend/improved_gmapping.h"
 #include "frontend/map/map_building.h"
 #include "frontend/slam_parts.h"
+#include "frontend/slam_result.h"
 
 namespace gmapping_spa {
 namespace {
@@ -57,7 +57,7 @@ struct Slam::State {
   double occupied_threshold;
   frontend::ImprovedGmapping gmapping;
   std::int64_t scans = 0;
-  std::optional<frontend::Estimate> finished;
+  std::optional<frontend::SlamResult> finished;
 };
 
 Slam::Slam(const SlamOptions& options)

@@ -4,10 +4,10 @@
 
 #include <memory>
 
-#include "backend/plugin/optimizer.h"
 #include "backend/graph/pose_graph.h"
-#include "backend/se2.h"
 #include "backend/graph/trajectory_io.h"
+#include "backend/plugin/optimizer.h"
+#include "backend/se2.h"
 #include "frontend/api/scan_result.h"
 #include "frontend/api/slam_options.h"
 #include "frontend/map/trinary_map.h"
@@ -59,9 +59,9 @@ class Slam {
   ScanResult AddScan(const sensor::LaserScan& scan);
 
   /// After the last scan: waits for the back end (up to ten times SlamOptions::graph_timeout_s a
-  /// call) and, with SlamOptions::final_round, closes the loops that are left, optimizes, aligns
-  /// all scans and builds the map from all of them. On recorded logs it takes a quarter to a third
-  /// of the time of all AddScan. From then on, what is asked below is the final result. Does
+  /// call) and, with SlamOptions::final_optimization, closes the loops that are left, optimizes,
+  /// aligns all scans and builds the map from all of them. On recorded logs it takes a quarter to a
+  /// third of the time of all AddScan. From then on, what is asked below is the final result. Does
   /// nothing the second time.
   void Finish();
 
@@ -72,8 +72,8 @@ class Slam {
   /// The map of the best particle, decided by SlamOptions::occupied_threshold; before Finish it is
   /// made of the scans that updated the filter. In time of its rectangle's number of cells.
   map::TrinaryMap CurrentMap() const;
-  /// The best particle's path, a node an update with ids 0, 1, ..., and the accepted loop closures.
-  /// In time of its size.
+  /// The best particle's path, one node per update with ids 0, 1, ..., and the accepted loop
+  /// closures. In time of its size.
   backend::PoseGraph CurrentGraph() const;
   /// Poses of all scans in the order in which they were added. In time of their number.
   backend::Trajectory CurrentTrajectory() const;

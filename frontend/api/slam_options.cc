@@ -32,7 +32,7 @@ SlamOptions PublishedFilter() {
   options.unseen_is_miss = true;
   options.obs_sigma_gain = 3.0;
   options.edge_measurement = SlamOptions::EdgeMeasurement::kParticle;
-  options.final_round = false;
+  options.final_optimization = false;
   return options;
 }
 

@@ -34,12 +34,12 @@ struct SlamOptions {
 
   // The control input.
   enum class Odometry : std::uint8_t {
-    kRaw,          ///< the odometry of the scans as it is
-    kWheel,        ///< without impossible steps; scans tell how far to trust it
-    kScanMatched,  ///< every scan is matched with the last ones, the wheels a part of the prior
-    kLidarOnly     ///< scans alone; LaserScan::odom_T_robot is not looked at
+    kRaw,       ///< the odometry of the scans as it is
+    kWheel,     ///< without impossible steps; scans tell how far to trust it
+    kLidar,     ///< every scan is matched with the last ones, the wheels a part of the prior
+    kLidarOnly  ///< scans alone; LaserScan::odom_T_robot is not looked at
   };
-  Odometry odometry = Odometry::kScanMatched;
+  Odometry odometry = Odometry::kLidar;
   double max_speed_m_s = 5.0;   ///< of the robot; a faster step of the odometry is left out
   double max_turn_rad_s = 6.0;  ///< likewise
   /// Time from the first beam of a scan to the last one, s; nothing: learned.
@@ -61,7 +61,7 @@ struct SlamOptions {
   int initial_guesses = 0;               ///< draws among which kPrediction chooses its start
   double match_linear_step_m = 0.05;     ///< first step of hill climbing
   double match_angular_step_rad = 0.05;  ///< first step of hill climbing
-  int match_halvings = 5;                ///< of hill climbing's steps
+  int match_refinements = 5;             ///< of hill climbing's steps
   double match_noise_m = 0.02;           ///< of an end point, in all Gauss-Newton matching
   double match_robust_sigmas = 2.0;      ///< width of its Cauchy weight
   double match_min_score = 0.2;          ///< a particle's match below this mean score has failed
@@ -91,22 +91,22 @@ struct SlamOptions {
   double motion_angular_floor_rad = 0.005;   ///< of a robot that stands still
 
   // The pose graph.
-  /// Scan odometry needs kScanMatched or kLidarOnly; with other odometry it is as kParticle.
-  enum class EdgeMeasurement : std::uint8_t { kScanOdometry, kParticle };
-  EdgeMeasurement edge_measurement = EdgeMeasurement::kScanOdometry;
+  /// Lidar odometry needs kLidar or kLidarOnly; with other odometry it is as kParticle.
+  enum class EdgeMeasurement : std::uint8_t { kLidarOdometry, kParticle };
+  EdgeMeasurement edge_measurement = EdgeMeasurement::kLidarOdometry;
   enum class EdgeInformation : std::uint8_t { kProposal, kHessian, kConstant };
   EdgeInformation edge_information = EdgeInformation::kProposal;
   bool loop_closure = true;
-  double closure_min_way_m = 15.0;          ///< path length from which on two nodes may be closed
+  double closure_min_path_length_m = 15.0;  ///< path length from which on two nodes may be closed
   double closure_max_distance_m = 4.0;      ///< between two nodes, besides three sigmas of drift
   double closure_drift_m_per_m = 0.015;     ///< standard deviation expected
   double closure_drift_rad_per_m = 0.0005;  ///< standard deviation expected
-  bool closure_everywhere = true;         ///< whether places are recognized however large the drift
-  double closure_min_score = 0.5;         ///< of correlative matching, 0 to 1
-  double closure_max_second_score = 0.9;  ///< part of the best score: above, it is ambiguous
-  double closure_min_overlap = 0.5;       ///< part of the new end points in the known old map
-  double closure_min_fit = 0.6;           ///< part of those that end at obstacles
-  double closure_information_gain = 0.02;  ///< factor on the information of the match
+  bool closure_everywhere = true;  ///< whether places are recognized however large the drift
+  double closure_min_score = 0.5;  ///< of correlative matching, 0 to 1
+  double closure_max_runner_up_score = 0.9;  ///< part of the best score: above, it is ambiguous
+  double closure_min_overlap = 0.5;          ///< part of the new end points in the known old map
+  double closure_min_inlier_ratio = 0.6;     ///< part of those that end at obstacles
+  double closure_information_gain = 0.02;    ///< factor on the information of the match
 
   // The back end.
   std::string backend = "spa";  ///< name or path of a plugin, see LoadOptimizer
@@ -126,8 +126,9 @@ struct SlamOptions {
       3.0;  ///< longest time to wait for a result that is due; 10 times at the end
   enum class Correction : std::uint8_t { kPose, kTrajectory };
   Correction correction = Correction::kTrajectory;  ///< what eq. (14) moves of each particle
-  bool final_round = true;  ///< whether Finish closes, optimizes and builds the map once more
-  int refine = 1;           ///< how often it aligns all scans with the map
+  bool final_optimization =
+      true;        ///< whether Finish closes, optimizes and builds the map once more
+  int refine = 1;  ///< how often it aligns all scans with the map
 
   friend bool operator==(const SlamOptions&, const SlamOptions&) = default;
 };

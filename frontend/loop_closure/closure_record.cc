@@ -12,12 +12,12 @@ const char* VerdictName(Verdict verdict) {
       return "unstable";
     case Verdict::kOverlap:
       return "overlap";
-    case Verdict::kFit:
-      return "fit";
+    case Verdict::kInlierRatio:
+      return "inlier_ratio";
     case Verdict::kSeenThrough:
       return "seen_through";
-    case Verdict::kGate:
-      return "gate";
+    case Verdict::kMahalanobis:
+      return "mahalanobis";
     case Verdict::kUnconfirmed:
       return "unconfirmed";
     case Verdict::kReleased:

@@ -15,9 +15,9 @@ enum class Verdict : std::uint8_t {
   kAmbiguous,    // another pose fits nearly as well
   kUnstable,     // fine alignment leaves the peak of the search
   kOverlap,      // the scans saw too little in common
-  kFit,          // what they saw in common does not look the same
+  kInlierRatio,  // what they saw in common does not look the same
   kSeenThrough,  // the one saw through what stands in the way for the other
-  kGate,         // farther off than the graph's uncertainty allows
+  kMahalanobis,  // farther off than the graph's uncertainty allows
   kUnconfirmed,  // not enough other closures agree (yet)
   kReleased,     // was accepted, and is not any more
   kAccepted
@@ -37,17 +37,17 @@ const char* SourceName(Source source);
 struct ClosureRecord {
   int old_node = 0;
   int node = 0;
-  double way_m = 0.0;       // shortest between them in the graph
-  double distance_m = 0.0;  // between their poses as estimated then
-  double score = 0.0;       // of the correlative match, and of the best one elsewhere
-  double second_score = 0.0;
-  double overlap = 0.0;     // part of the end points in the known part of the old map
-  double fit = 0.0;         // explained by the old map, per one of those; hits that end just
-                            // outside of the known part count as well
-  double mutual_fit = 0.0;  // the same the other way round: of the old scans in the new map. Not
-                            // taken of candidates that are near
-  double gate = 0.0;        // squared Mahalanobis distance from the pose expected
-  backend::SE2 old_T_node;  // measured
+  double path_length_m = 0.0;  // shortest between them in the graph
+  double distance_m = 0.0;     // between their poses as estimated then
+  double score = 0.0;          // of the correlative match, and of the best one elsewhere
+  double runner_up_score = 0.0;
+  double overlap = 0.0;       // part of the end points in the known part of the old map
+  double inlier_ratio = 0.0;  // explained by the old map, per one of those; hits that end just
+                              // outside of the known part count as well
+  double mutual_inlier_ratio = 0.0;  // the same the other way round: of the old scans in the new
+                                     // map. Not taken of candidates that are near
+  double mahalanobis_sq = 0.0;  // squared Mahalanobis distance from the pose expected
+  backend::SE2 old_T_node;      // measured
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of old_T_node, as of backend::Edge
   Source source = Source::kNear;
   Verdict verdict = Verdict::kNoMatch;

@@ -25,8 +25,9 @@ bool AreConsistent(const DriftModel& drift, double sigmas, const DrivenPath& pat
                      Between(path.world_T_nodes[a.node], path.world_T_nodes[b.node]) *
                      Inverse(b.old_T_node) *
                      Between(path.world_T_nodes[b.old_node], path.world_T_nodes[a.old_node]);
-  const double way_m = WayBetween(path, a.node, b.node) + WayBetween(path, a.old_node, b.old_node);
-  return drift.SquaredDistance(around, way_m) <= sigmas * sigmas;
+  const double path_length_m =
+      WayBetween(path, a.node, b.node) + WayBetween(path, a.old_node, b.old_node);
+  return drift.SquaredDistance(around, path_length_m) <= sigmas * sigmas;
 }
 
 // Whether the two closures put the node at different places.
@@ -48,7 +49,7 @@ std::vector<std::size_t> Thinned(const std::vector<std::size_t>& members) {
 double SmallestGate(const std::vector<ClosureRecord>& records,
                     const std::vector<std::size_t>& members) {
   double gate = std::numeric_limits<double>::infinity();
-  for (const std::size_t member : members) gate = std::min(gate, records[member].gate);
+  for (const std::size_t member : members) gate = std::min(gate, records[member].mahalanobis_sq);
   return gate;
 }
 
@@ -70,7 +71,7 @@ std::vector<std::size_t> SoundMembers(const ProofOptions& options, const DriftMo
   const auto count = static_cast<int>(members.size());
   if (count < options.min_members) return {};
   if (count < options.min_per_contradiction * set.contradictions) return {};
-  if (SmallestGate(records, members) > options.impossible_gate) return {};
+  if (SmallestGate(records, members) > options.impossible_mahalanobis_sq) return {};
   return members;
 }
 
@@ -82,10 +83,10 @@ bool Agree(const ProofOptions& options, const DriftModel& drift, const DrivenPat
   double nearest_m = options.agree_within_m;
   for (const std::size_t i : a) {
     for (const std::size_t j : b) {
-      const double way_m = WayBetween(path, records[i].node, records[j].node) +
-                           WayBetween(path, records[i].old_node, records[j].old_node);
-      if (way_m > nearest_m) continue;
-      nearest_m = way_m;
+      const double path_length_m = WayBetween(path, records[i].node, records[j].node) +
+                                   WayBetween(path, records[i].old_node, records[j].old_node);
+      if (path_length_m > nearest_m) continue;
+      nearest_m = path_length_m;
       nearest_a = &records[i];
       nearest_b = &records[j];
     }
@@ -108,7 +109,7 @@ double SpanOf(const DrivenPath& path, const std::vector<ClosureRecord>& records,
 double ProofOf(const ProofOptions& options, const DrivenPath& path,
                const std::vector<ClosureRecord>& records, const std::vector<std::size_t>& members) {
   if (members.empty()) return 0.0;
-  const double variances = SmallestGate(records, members) / options.max_gate;
+  const double variances = SmallestGate(records, members) / options.max_mahalanobis_sq;
   return SpanOf(path, records, members) /
          (options.min_span_m * std::sqrt(std::max(variances, 1.0)));
 }
@@ -161,7 +162,7 @@ bool HasLikelierRival(const ProofOptions& options, const DrivenPath& path,
     const bool is_open =
         rival.verdict == Verdict::kUnconfirmed || rival.verdict == Verdict::kAccepted;
     return is_open && rival.source == Source::kNear &&
-           rival.gate < record.gate - options.rival_gate &&
+           rival.mahalanobis_sq < record.mahalanobis_sq - options.rival_mahalanobis_sq &&
            WayBetween(path, rival.node, record.node) <= options.rival_within_m &&
            AreElsewhere(options, path, record, rival, record.node);
   });

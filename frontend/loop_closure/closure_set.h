@@ -33,10 +33,10 @@ struct ProofOptions {
   // member is for which that is easiest. Grows in proportion to how far off it is in standard
   // deviations beyond that: a corridor may look the same for 50 m, turned around.
   double min_span_m = 12.0;
-  double max_gate = 13.8;  // up to which drift explains it
+  double max_mahalanobis_sq = 13.8;  // up to which drift explains it
   // No look of a building proves what drift can not have done: ten standard deviations, squared. A
   // building with two wings alike shows the same for as long as one drives.
-  double impossible_gate = 100.0;
+  double impossible_mahalanobis_sq = 100.0;
   double min_per_contradiction = 3;  // members
   double consistent_sigmas = 2.0;    // of the drift on the way, for two members to go together
   // For two sets to agree: of the drift on the way between them, which must not be so long that
@@ -50,7 +50,7 @@ struct ProofOptions {
   double rival_proof = 0.5;
   // Of closures near by the estimate: one that is so much easier to explain by drift, found within
   // so much driving, is far likelier than another that contradicts it.
-  double rival_gate = 6.0;
+  double rival_mahalanobis_sq = 6.0;
   double rival_within_m = 20.0;
   friend bool operator==(const ProofOptions&, const ProofOptions&) = default;
 };

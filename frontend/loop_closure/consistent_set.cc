@@ -18,8 +18,8 @@ class CliqueSearch {
     for (int i = 0; i < count; ++i) {
       for (int j = 0; j < i; ++j) {
         if (!consistent(i, j)) continue;
-        neighbours_[i] |= Bits{1} << j;
-        neighbours_[j] |= Bits{1} << i;
+        neighbors_[i] |= Bits{1} << j;
+        neighbors_[j] |= Bits{1} << i;
       }
     }
   }
@@ -36,7 +36,7 @@ class CliqueSearch {
       ++color;
       for (Bits free = uncolored; free != 0;) {
         const int vertex = std::countr_zero(free);
-        free &= ~(neighbours_[vertex] | Bits{1} << vertex);
+        free &= ~(neighbors_[vertex] | Bits{1} << vertex);
         uncolored &= ~(Bits{1} << vertex);
         order[colored] = vertex;
         colors[colored++] = color;
@@ -45,7 +45,7 @@ class CliqueSearch {
     while (colored-- > 0) {
       if (std::popcount(taken) + colors[colored] <= std::popcount(best_)) return;
       const int vertex = order[colored];
-      Extend(taken | Bits{1} << vertex, left & neighbours_[vertex]);
+      Extend(taken | Bits{1} << vertex, left & neighbors_[vertex]);
       left &= ~(Bits{1} << vertex);
     }
   }
@@ -53,7 +53,7 @@ class CliqueSearch {
   Bits best() const { return best_; }
 
  private:
-  std::array<Bits, kMaxConsistentSet> neighbours_{};
+  std::array<Bits, kMaxConsistentSet> neighbors_{};
   Bits best_ = 0;
   int steps_ = 0;
 };

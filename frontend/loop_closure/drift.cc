@@ -8,9 +8,9 @@ namespace gmapping_spa::loop_closure {
 
 using backend::SE2;
 
-double DriftModel::SquaredDistance(const SE2& discrepancy, double way_m) const {
-  return std::pow(discrepancy.translation().norm() / LinearSigma(way_m), 2) +
-         std::pow(discrepancy.theta / AngularSigma(way_m), 2);
+double DriftModel::SquaredDistance(const SE2& discrepancy, double path_length_m) const {
+  return std::pow(discrepancy.translation().norm() / LinearSigma(path_length_m), 2) +
+         std::pow(discrepancy.theta / AngularSigma(path_length_m), 2);
 }
 
 std::vector<double> WaysDriven(const std::vector<SE2>& world_T_nodes) {

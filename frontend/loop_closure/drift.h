@@ -20,11 +20,11 @@ struct DriftModel {
   double floor_rad = 0.02;
   double rad_per_m = 0.0005;
 
-  double LinearSigma(double way_m) const { return floor_m + m_per_m * way_m; }
-  double AngularSigma(double way_m) const { return floor_rad + rad_per_m * way_m; }
+  double LinearSigma(double path_length_m) const { return floor_m + m_per_m * path_length_m; }
+  double AngularSigma(double path_length_m) const { return floor_rad + rad_per_m * path_length_m; }
 
   // Squared Mahalanobis distance of a discrepancy after such a way.
-  double SquaredDistance(const backend::SE2& discrepancy, double way_m) const;
+  double SquaredDistance(const backend::SE2& discrepancy, double path_length_m) const;
   friend bool operator==(const DriftModel&, const DriftModel&) = default;
 };
 

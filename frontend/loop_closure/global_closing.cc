@@ -35,9 +35,9 @@ GlobalCloser::Decisions GlobalCloser::Update(const DrivenPath& path, const ScanO
   FollowAll(call);
   const int place = places_.size() - 1;
   if (place >= 0 && !searched_[place]) {
-    const double way_m = path.ways_driven_m[places_.NodeOf(place)];
-    if (way_m >= last_search_m_ + options_.search_every_m) {
-      last_search_m_ = way_m;
+    const double path_length_m = path.ways_driven_m[places_.NodeOf(place)];
+    if (path_length_m >= last_search_m_ + options_.search_every_m) {
+      last_search_m_ = path_length_m;
       Search(call, place);
     }
   }
@@ -84,24 +84,24 @@ void GlobalCloser::Search(const Call& call, int place) {
   const bool is_settled = IsSettled(call, node);
   if (is_settled && ways_driven[node] < kUnknownWay_m) return;
   searched_[place] = true;
-  if (ways_driven[node] < options_.min_way_m) return;
+  if (ways_driven[node] < options_.min_path_length_m) return;
   const std::vector<double> ways = ShortestWays(ways_driven, call.closures, node);
-  const double min_way_m = is_settled ? kUnknownWay_m : options_.min_way_m;
+  const double min_path_length_m = is_settled ? kUnknownWay_m : options_.min_path_length_m;
   for (const PlaceMatch& match :
-       places_.Find(place, ways_driven, [&](int old) { return ways[old] >= min_way_m; })) {
+       places_.Find(place, ways_driven, [&](int old) { return ways[old] >= min_path_length_m; })) {
     if (IsExplained(call, node, match)) continue;
     const std::vector<SE2>& poses = call.path.world_T_nodes;
     const Candidate candidate{match.old_node, ways[match.old_node],
                               Between(poses[match.old_node], poses[node]).translation().norm()};
     ClosureRecord record;
-    if (match.second_score > options_.max_second_score * match.score) {
+    if (match.runner_up_score > options_.max_runner_up_score * match.score) {
       record.old_node = match.old_node;
       record.node = node;
-      record.way_m = candidate.way_m;
+      record.path_length_m = candidate.path_length_m;
       record.distance_m = candidate.distance_m;
       record.old_T_node = match.old_T_node;
       record.score = match.score;
-      record.second_score = match.second_score;
+      record.runner_up_score = match.runner_up_score;
       record.verdict = Verdict::kAmbiguous;
     } else {
       record = verifier_.VerifyAt(
@@ -154,15 +154,15 @@ void GlobalCloser::Look(const Call& call, int node, ClosureSet* set) {
   const ClosureRecord member = NearestMember(call.path, *call.records, *set, node);
   const std::optional<Candidate> candidate = Predict(call, member, node);
   if (!candidate) return;
-  const double way_m =
+  const double path_length_m =
       std::abs(call.path.ways_driven_m[node] - call.path.ways_driven_m[member.node]);
   const SE2 old_T_node =
       Between(call.path.world_T_nodes[candidate->old_node], PredictedPose(call.path, member, node));
   ClosureRecord record =
       verifier_.VerifyAt(call.path.world_T_nodes, call.scan_of_node, node, *candidate,
                          {old_T_node,
-                          {options_.seed_window_m + options_.window_m_per_m * way_m,
-                           options_.seed_window_rad + options_.window_rad_per_m * way_m}});
+                          {options_.seed_window_m + options_.window_m_per_m * path_length_m,
+                           options_.seed_window_rad + options_.window_rad_per_m * path_length_m}});
   record.source = Source::kFollowed;
   call.records->push_back(record);
   switch (record.verdict) {
@@ -170,7 +170,7 @@ void GlobalCloser::Look(const Call& call, int node, ClosureSet* set) {
       set->members.push_back(call.records->size() - 1);
       break;
     case Verdict::kNoMatch:
-    case Verdict::kFit:
+    case Verdict::kInlierRatio:
     case Verdict::kSeenThrough:
       ++set->contradictions;
       break;
@@ -189,7 +189,7 @@ std::optional<Candidate> GlobalCloser::Predict(const Call& call, const ClosureRe
   std::optional<Candidate> nearest;
   for (int old = 0; old < node; ++old) {
     if (std::abs(ways[old] - ways[member.old_node]) > options_.old_window_m) continue;
-    if (ways[node] - ways[old] < candidates_.min_way_m) continue;
+    if (ways[node] - ways[old] < candidates_.min_path_length_m) continue;
     const double distance_m = (poses[old].translation() - predicted).norm();
     if (distance_m >= nearest_m) continue;
     nearest_m = distance_m;
@@ -197,8 +197,8 @@ std::optional<Candidate> GlobalCloser::Predict(const Call& call, const ClosureRe
   }
   // The way of the member and the ways to it: near enough, for a gate that decides about the set.
   if (nearest) {
-    nearest->way_m = member.way_m + std::abs(ways[node] - ways[member.node]) +
-                     std::abs(ways[nearest->old_node] - ways[member.old_node]);
+    nearest->path_length_m = member.path_length_m + std::abs(ways[node] - ways[member.node]) +
+                             std::abs(ways[nearest->old_node] - ways[member.old_node]);
   }
   return nearest;
 }

@@ -22,15 +22,15 @@ namespace gmapping_spa::loop_closure {
 class GlobalCloser {
  public:
   struct Options {
-    double place_every_m = 3.0;   // of driving
-    double search_every_m = 6.0;  // likewise, on the way; in the end each place is looked for
-    double min_way_m = 60.0;      // in the graph: nearer nodes are found by the estimate
+    double place_every_m = 3.0;       // of driving
+    double search_every_m = 6.0;      // likewise, on the way; in the end each place is looked for
+    double min_path_length_m = 60.0;  // in the graph: nearer nodes are found by the estimate
     // A node that was driven so near to an accepted closure is not lost.
     double settled_m = 10.0;
-    double max_second_score = 0.9;  // of a match of places, as of closures
-    double follow_every_m = 2.0;    // of driving
-    double follow_up_to_m = 12.0;   // of driving, beyond the last member
-    double seed_window_m = 0.5;     // around the match of places
+    double max_runner_up_score = 0.9;  // of a match of places, as of closures
+    double follow_every_m = 2.0;       // of driving
+    double follow_up_to_m = 12.0;      // of driving, beyond the last member
+    double seed_window_m = 0.5;        // around the match of places
     double seed_window_rad = 0.1;
     double window_m_per_m = 0.05;  // grows with the driving from the nearest member
     double window_rad_per_m = 0.01;

@@ -4,18 +4,18 @@
 #include <cstdint>
 #include <unordered_set>
 
-#include "frontend/map/scan_registration.h"
+#include "frontend/map/scan_insertion.h"
 
 namespace gmapping_spa::loop_closure {
 
 using backend::SE2;
 
-NodeRange NodesAround(const std::vector<SE2>& world_T_nodes, int centre, double reach_m) {
+NodeRange NodesAround(const std::vector<SE2>& world_T_nodes, int center, double reach_m) {
   const auto driven = [&](int from, int to) {
     return (world_T_nodes[to].translation() - world_T_nodes[from].translation()).norm();
   };
   const int count = static_cast<int>(world_T_nodes.size());
-  NodeRange range{centre, centre};
+  NodeRange range{center, center};
   for (double way = 0.0; range.first > 0; --range.first) {
     if ((way += driven(range.first - 1, range.first)) > reach_m) break;
   }
@@ -30,8 +30,8 @@ map::OccupancyGrid BuildLocalMap(const std::vector<SE2>& world_T_nodes,
                                  const map::OccupancyGrid::Options& grid) {
   map::OccupancyGrid map(grid);
   for (int node = nodes.first; node <= nodes.last; ++node) {
-    map::RegisterScan(scan_of_node(node), Between(world_T_nodes[reference], world_T_nodes[node]),
-                      {}, &map);
+    map::InsertScan(scan_of_node(node), Between(world_T_nodes[reference], world_T_nodes[node]), {},
+                    &map);
   }
   return map;
 }

@@ -1,4 +1,4 @@
-// The map that a few neighbouring scans make, in the frame of one of them.
+// The map that a few neighboring scans make, in the frame of one of them.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_LOCAL_MAP_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_LOCAL_MAP_H_
 
@@ -21,8 +21,8 @@ struct NodeRange {
   int last = 0;
 };
 
-// The nodes of a path around `centre`, as far as `reach_m` of driving to either side.
-NodeRange NodesAround(const std::vector<backend::SE2>& world_T_nodes, int centre, double reach_m);
+// The nodes of a path around `center`, as far as `reach_m` of driving to either side.
+NodeRange NodesAround(const std::vector<backend::SE2>& world_T_nodes, int center, double reach_m);
 
 // Enters the scans of the nodes into a grid whose frame is that of node `reference`.
 map::OccupancyGrid BuildLocalMap(const std::vector<backend::SE2>& world_T_nodes,

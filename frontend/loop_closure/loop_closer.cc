@@ -171,7 +171,7 @@ double LoopCloser::ConfirmBeyond(const ClosureRecord& a, const ClosureRecord& b)
   if (a.verdict == Verdict::kAccepted || b.verdict == Verdict::kAccepted) {
     return options_.confirm_beyond_m;
   }
-  const double window_m = verifier_.WindowOf(std::min(a.way_m, b.way_m)).linear_m;
+  const double window_m = verifier_.WindowOf(std::min(a.path_length_m, b.path_length_m)).linear_m;
   return std::max(options_.confirm_beyond_m, options_.confirm_beyond_windows * window_m);
 }
 

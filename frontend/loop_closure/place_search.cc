@@ -53,11 +53,11 @@ void PlaceSearch::Add(const std::vector<SE2>& world_T_nodes, const ScanOfNode& s
 bool PlaceSearch::IsDistinct(const std::vector<Eigen::Vector2d>& points) const {
   if (points.empty()) return false;
   scan_matching::CorrelativeMatcher::Options options = options_.search;
-  options.second_floor = 0.9 * options_.max_likeness;
+  options.runner_up_floor = 0.9 * options_.max_likeness;
   const scan_matching::CorrelativeMatcher search(options, points);
   const scan_matching::CorrelativeMatch match =
       search.Match(Thinned(points, options_.max_points), SE2{}, {options_.window_m, 0.0});
-  return match.found && match.second_score <= options_.max_likeness * match.score;
+  return match.found && match.runner_up_score <= options_.max_likeness * match.score;
 }
 
 std::vector<const PlaceSearch::Place*> PlaceSearch::Shortlist(
@@ -95,7 +95,7 @@ std::vector<PlaceMatch> PlaceSearch::Find(int place, const std::vector<double>& 
     const scan_matching::CorrelativeMatch match =
         search.Match(points, SE2{}, {options_.window_m, std::numbers::pi});
     if (!match.found) continue;
-    matches.push_back({old->node, match.map_T_scan, match.score, match.second_score});
+    matches.push_back({old->node, match.map_T_scan, match.score, match.runner_up_score});
   }
   return matches;
 }

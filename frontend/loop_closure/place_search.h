@@ -18,7 +18,7 @@ struct PlaceMatch {
   int old_node = 0;
   backend::SE2 old_T_node;  // to a cell of the search
   double score = 0.0;       // of the correlative match, and of the best one elsewhere
-  double second_score = 0.0;
+  double runner_up_score = 0.0;
 };
 
 // Keeps a place each few metres of driving: what was seen around it and a descriptor of that.
@@ -38,7 +38,7 @@ class PlaceSearch {
         .min_score = 0.6,
         .peak_separation_m = 1.0,
         .peak_separation_rad = 0.2,
-        .second_floor = 0.85,
+        .runner_up_floor = 0.85,
         .with_covariance = false};
     friend bool operator==(const Options&, const Options&) = default;
   };

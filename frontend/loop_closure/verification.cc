@@ -98,10 +98,10 @@ Verifier::Verifier(const Options& options, const DriftModel& drift,
       candidates_(candidates),
       matcher_(options.gauss_newton, {}) {}
 
-scan_matching::SearchWindow Verifier::WindowOf(double way_m) const {
+scan_matching::SearchWindow Verifier::WindowOf(double path_length_m) const {
   const double sigmas = candidates_.sigmas;
-  return {std::min(sigmas * drift_.LinearSigma(way_m), candidates_.max_drift_m),
-          std::min(sigmas * drift_.AngularSigma(way_m), options_.max_turn_rad)};
+  return {std::min(sigmas * drift_.LinearSigma(path_length_m), candidates_.max_drift_m),
+          std::min(sigmas * drift_.AngularSigma(path_length_m), options_.max_turn_rad)};
 }
 
 // A small window needs no high pyramid. The covariance is that of fine alignment, later.
@@ -111,7 +111,7 @@ scan_matching::CorrelativeMatcher::Options Verifier::SearchOptions(
   const double cells = 2.0 * window.linear_m / options.field.resolution_m;
   const int levels = static_cast<int>(std::ceil(std::log2(std::max(cells, 2.0))));
   options.pyramid_levels = std::min(levels, options.pyramid_levels);
-  options.second_floor = 0.9 * options_.max_second_score;
+  options.runner_up_floor = 0.9 * options_.max_runner_up_score;
   options.with_covariance = false;
   return options;
 }
@@ -120,11 +120,11 @@ ClosureRecord Verifier::Verify(const std::vector<SE2>& world_T_nodes,
                                const ScanOfNode& scan_of_node, int node,
                                const Candidate& candidate) const {
   const Expectation expectation{Between(world_T_nodes[candidate.old_node], world_T_nodes[node]),
-                                WindowOf(candidate.way_m)};
+                                WindowOf(candidate.path_length_m)};
   ClosureRecord record = Compare(world_T_nodes, scan_of_node, node, candidate, expectation);
   if (record.verdict != Verdict::kUnconfirmed) return record;
-  if (record.gate > options_.max_gate) {
-    record.verdict = Verdict::kGate;
+  if (record.mahalanobis_sq > options_.max_mahalanobis_sq) {
+    record.verdict = Verdict::kMahalanobis;
   } else if (expectation.window.linear_m > kSmallWindow_m) {
     AskOldScans(world_T_nodes, scan_of_node, expectation, &record);
   }
@@ -151,11 +151,11 @@ void Verifier::AskOldScans(const std::vector<SE2>& world_T_nodes, const ScanOfNo
       BuildLocalMap(world_T_nodes, scan_of_node, new_nodes, record->node, options_.grid), points,
       Inverse(is_found ? record->old_T_node : expectation.old_T_node), options_.grid.full_threshold,
       is_found ? 1 : static_cast<int>(std::ceil(kPredicted_m / options_.grid.resolution_m)));
-  record->mutual_fit = explanation.part();
+  record->mutual_inlier_ratio = explanation.part();
   // Where new scans see little that is known, what they see through still speaks.
   const bool says_much = is_found || explanation.known >= 0.5 * options_.min_expected_overlap *
                                                               static_cast<double>(points.size());
-  if (says_much && record->mutual_fit < options_.min_mutual_fit) {
+  if (says_much && record->mutual_inlier_ratio < options_.min_mutual_inlier_ratio) {
     record->verdict = Verdict::kSeenThrough;
   }
 }
@@ -168,7 +168,7 @@ ClosureRecord Verifier::Compare(const std::vector<SE2>& world_T_nodes,
   ClosureRecord record;
   record.old_node = old;
   record.node = node;
-  record.way_m = candidate.way_m;
+  record.path_length_m = candidate.path_length_m;
   record.distance_m = candidate.distance_m;
   const auto decided = [&record](Verdict verdict) {
     record.verdict = verdict;
@@ -195,16 +195,16 @@ ClosureRecord Verifier::Compare(const std::vector<SE2>& world_T_nodes,
   if (!coarse.found) return decided(Verdict::kNoMatch);
   if (IsAtBorder(window, expected, coarse.map_T_scan)) {
     const SE2 border = coarse.map_T_scan;
-    const double second_score = coarse.second_score;
+    const double runner_up_score = coarse.runner_up_score;
     coarse = search.Match(positions, border, kBeyondBorder);
     if (!coarse.found) return decided(Verdict::kNoMatch);
-    coarse.second_score = std::max(coarse.second_score, second_score);
+    coarse.runner_up_score = std::max(coarse.runner_up_score, runner_up_score);
     if (IsAtBorder(kBeyondBorder, border, coarse.map_T_scan)) return decided(Verdict::kUnstable);
   }
   record.score = coarse.score;
-  record.second_score = coarse.second_score;
+  record.runner_up_score = coarse.runner_up_score;
   record.old_T_node = coarse.map_T_scan;
-  if (coarse.second_score > options_.max_second_score * coarse.score) {
+  if (coarse.runner_up_score > options_.max_runner_up_score * coarse.score) {
     return decided(Verdict::kAmbiguous);
   }
 
@@ -220,11 +220,12 @@ ClosureRecord Verifier::Compare(const std::vector<SE2>& world_T_nodes,
 
   record.overlap = Overlap(map, points, fine.world_T_robot);
   const double known = record.overlap * static_cast<double>(points.size());
-  record.fit = known > 0.0 ? fine.inliers / known : 0.0;
+  record.inlier_ratio = known > 0.0 ? fine.inliers / known : 0.0;
   const SE2 estimated = Between(world_T_nodes[old], world_T_nodes[node]);
-  record.gate = drift_.SquaredDistance(Between(estimated, fine.world_T_robot), candidate.way_m);
+  record.mahalanobis_sq =
+      drift_.SquaredDistance(Between(estimated, fine.world_T_robot), candidate.path_length_m);
   if (record.overlap < options_.min_overlap) return decided(Verdict::kOverlap);
-  if (record.fit < options_.min_fit) return decided(Verdict::kFit);
+  if (record.inlier_ratio < options_.min_inlier_ratio) return decided(Verdict::kInlierRatio);
   return decided(Verdict::kUnconfirmed);
 }
 

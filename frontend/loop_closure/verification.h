@@ -25,20 +25,22 @@ struct Expectation {
 class Verifier {
  public:
   struct Options {
-    double old_reach_m = 8.0;       // of driving to either side, for the local map
-    double new_reach_m = 5.0;       // likewise, for the scans that are matched with it
-    double cell_m = 0.1;            // at most one end point in each
-    double max_turn_rad = 0.4;      // the search goes no farther
-    double max_second_score = 0.9;  // part of the best score
-    double max_shift_m = 0.15;      // by which fine alignment may move the peak
+    double old_reach_m = 8.0;          // of driving to either side, for the local map
+    double new_reach_m = 5.0;          // likewise, for the scans that are matched with it
+    double cell_m = 0.1;               // at most one end point in each
+    double max_turn_rad = 0.4;         // the search goes no farther
+    double max_runner_up_score = 0.9;  // part of the best score
+    double max_shift_m = 0.15;         // by which fine alignment may move the peak
     double max_shift_rad = 0.05;
     // At the pose expected, unless the window is large; and at the one found.
     double min_expected_overlap = 0.4;
     double min_overlap = 0.5;
-    double min_fit = 0.6;
-    double min_mutual_fit = 0.6;     // of the old scans in the new map, where the prior is weak
-    double max_gate = 13.8;          // 99.9 % of a chi-square distribution of 2 degrees of freedom
-    double information_gain = 0.02;  // neighbouring points share the errors of the maps
+    double min_inlier_ratio = 0.6;
+    double min_mutual_inlier_ratio =
+        0.6;  // of the old scans in the new map, where the prior is weak
+    double max_mahalanobis_sq =
+        13.8;                        // 99.9 % of a chi-square distribution of 2 degrees of freedom
+    double information_gain = 0.02;  // neighboring points share the errors of the maps
     map::OccupancyGrid::Options grid;
     scan_matching::CorrelativeMatcher::Options search;
     scan_matching::GaussNewton::Options gauss_newton;
@@ -53,7 +55,7 @@ class Verifier {
                        const ScanOfNode& scan_of_node, int node, const Candidate& candidate) const;
 
   // Where Verify looks, around the estimate after such a way.
-  scan_matching::SearchWindow WindowOf(double way_m) const;
+  scan_matching::SearchWindow WindowOf(double path_length_m) const;
 
   // Looks in a small window, wherever that is by the estimate: the gate is computed and decides
   // nothing. Stricter, since there may be many places that look alike: the old scans must fit the
@@ -67,7 +69,8 @@ class Verifier {
   ClosureRecord Compare(const std::vector<backend::SE2>& world_T_nodes,
                         const ScanOfNode& scan_of_node, int node, const Candidate& candidate,
                         const Expectation& expectation) const;
-  // Whether the old scans fit the map of the new ones as well: mutual_fit, and its verdict.
+  // Whether the old scans fit the map of the new ones as well: mutual_inlier_ratio, and its
+  // verdict.
   void AskOldScans(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
                    const Expectation& expectation, ClosureRecord* record) const;
   scan_matching::CorrelativeMatcher::Options SearchOptions(

@@ -19,13 +19,13 @@ class CellBlock {
   // Covers nothing. The hit means are left as they are: a matcher makes hundreds of blocks.
   CellBlock() {}  // NOLINT
 
-  // Copies the block around `centre`.
-  void CopyFrom(const OccupancyGrid& grid, CellIndex centre) {
-    corner_ = {centre.x - kCentre, centre.y - kCentre};
+  // Copies the block around `center`.
+  void CopyFrom(const OccupancyGrid& grid, CellIndex center) {
+    corner_ = {center.x - kCentre, center.y - kCentre};
     full_ = 0;
     often_hit_ = 0;
     for (int row = 0; row < kSize; ++row) {
-      const std::uint64_t bits = grid.FullBits({corner_.x, corner_.y + row});
+      const std::uint64_t bits = grid.OccupiedBits({corner_.x, corner_.y + row});
       full_ |= bits << (kSize * row);
     }
     x_.fill(kFarAway);
@@ -41,55 +41,55 @@ class CellBlock {
     }
   }
 
-  // Whether ForEachFullNeighbour can be asked about the cell: the block holds all cells up to two
+  // Whether ForEachFullNeighbor can be asked about the cell: the block holds all cells up to two
   // away from it.
   bool Covers(CellIndex index) const {
     return static_cast<unsigned>(index.x - corner_.x - 2) < kSize - 4 &&
            static_cast<unsigned>(index.y - corner_.y - 2) < kSize - 4;
   }
 
-  // How many full cells of the 3 x 3 neighbourhood of the cell have been hit often: their hit means
-  // are good to a fraction of the noise of a range.
+  // How many occupied cells of the 3 x 3 neighborhood of the cell have been hit often: their hit
+  // means are good to a fraction of the noise of a range.
   int CountOftenHit(CellIndex index) const {
     const int column = index.x - corner_.x, row = index.y - corner_.y;
     return std::popcount(often_hit_ & kThreeByThree << (kSize * (row - 1) + column - 1));
   }
 
-  // Whether any cell of the 3 x 3 neighbourhood of the cell is full.
-  bool HasFullNeighbour(CellIndex index) const {
+  // Whether any cell of the 3 x 3 neighborhood of the cell is full.
+  bool HasOccupiedNeighbor(CellIndex index) const {
     const int column = index.x - corner_.x, row = index.y - corner_.y;
     return (full_ & kThreeByThree << (kSize * (row - 1) + column - 1)) != 0;
   }
 
   // Calls visit(x, y) with the hit mean, in cells relative to the corner of the cell `index`, of
-  // every full cell of its 3 x 3 neighbourhood whose own neighbour in direction (dx, dy), each -1,
-  // 0 or 1 and not both 0, is not full.
+  // every occupied cell of its 3 x 3 neighborhood whose own neighbor in direction (dx, dy), each
+  // -1, 0 or 1 and not both 0, is not full.
   template <typename Visit>
-  void ForEachFullNeighbour(CellIndex index, int dx, int dy, const Visit& visit) const {
+  void ForEachFullNeighbor(CellIndex index, int dx, int dy, const Visit& visit) const {
     const int toward = kSize * dy + dx;
     const std::uint64_t blocked = toward > 0 ? full_ >> toward : full_ << -toward;
-    VisitNeighbours(full_ & ~blocked, index, visit);
+    VisitNeighbors(full_ & ~blocked, index, visit);
   }
 
-  // The same for every full cell, whatever is beside it.
+  // The same for every occupied cell, whatever is beside it.
   template <typename Visit>
-  void ForEachFullNeighbour(CellIndex index, const Visit& visit) const {
-    VisitNeighbours(full_, index, visit);
+  void ForEachFullNeighbor(CellIndex index, const Visit& visit) const {
+    VisitNeighbors(full_, index, visit);
   }
 
-  // Calls visit(xs, ys) for each of the three rows of the 3 x 3 neighbourhood of the cell `index`:
+  // Calls visit(xs, ys) for each of the three rows of the 3 x 3 neighborhood of the cell `index`:
   // four hit means side by side, in cells relative to the corner of the cell. That of a cell that
-  // is not full is far away; so is the fourth, which belongs to no neighbour. To be added up
+  // is not full is far away; so is the fourth, which belongs to no neighbor. To be added up
   // without branches, several times as fast as one by one.
   template <typename Visit>
-  void ForEachRowOfNeighbours(CellIndex index, const Visit& visit) const {
+  void ForEachRowOfNeighbors(CellIndex index, const Visit& visit) const {
     const int column = index.x - corner_.x, row = index.y - corner_.y;
-    const Eigen::Array4f not_a_neighbour(0.0f, 0.0f, 0.0f, kFarAway);
+    const Eigen::Array4f not_a_neighbor(0.0f, 0.0f, 0.0f, kFarAway);
     for (int r = row - 1; r <= row + 1; ++r) {
       const int first = kSize * r + column - 1;
       const Eigen::Array4f x = Eigen::Map<const Eigen::Array4f>(&x_[first]);
       const Eigen::Array4f y = Eigen::Map<const Eigen::Array4f>(&y_[first]);
-      visit(x - static_cast<float>(column) + not_a_neighbour, y - static_cast<float>(row));
+      visit(x - static_cast<float>(column) + not_a_neighbor, y - static_cast<float>(row));
     }
   }
 
@@ -101,7 +101,7 @@ class CellBlock {
   static constexpr float kFarAway = 1e6f;
 
   template <typename Visit>
-  void VisitNeighbours(std::uint64_t cells, CellIndex index, const Visit& visit) const {
+  void VisitNeighbors(std::uint64_t cells, CellIndex index, const Visit& visit) const {
     const int column = index.x - corner_.x, row = index.y - corner_.y;
     std::uint64_t rest = cells & kThreeByThree << (kSize * (row - 1) + column - 1);
     for (; rest != 0; rest &= rest - 1) {

@@ -29,7 +29,7 @@ void OccupancyGrid::AddPasses(CellIndex from, CellIndex to) {
     const int x = at.x & Tile::kMask, y = at.y & Tile::kMask;
     Cell& cell = tile->cell(x, y);
     cell.AddPass();
-    if (cell.hits > 0) UpdateFull(*tile, x, y);
+    if (cell.hits > 0) UpdateOccupied(*tile, x, y);
 
     // All ones or all zeros instead of branches, which nobody could predict.
     const int twice = 2 * error;
@@ -46,10 +46,10 @@ void OccupancyGrid::AddHit(double x_cells, double y_cells) {
   const int x = index.x & Tile::kMask, y = index.y & Tile::kMask;
   tile.cell(x, y).AddHit(static_cast<std::uint16_t>((x_cells - index.x) * Cell::kMeanScale),
                          static_cast<std::uint16_t>((y_cells - index.y) * Cell::kMeanScale));
-  UpdateFull(tile, x, y);
+  UpdateOccupied(tile, x, y);
 }
 
-void OccupancyGrid::UpdateFull(Tile& tile, int x, int y) const {
+void OccupancyGrid::UpdateOccupied(Tile& tile, int x, int y) const {
   const Cell& cell = tile.cell(x, y);
   const auto bit = static_cast<std::uint16_t>(1u << x);
   if (cell.hits > options_.full_threshold * cell.visits) {

@@ -57,7 +57,7 @@ class OccupancyGrid {
   }
 
   // Whether the eight cells (x, y) ... (x + 7, y) are full, from the lowest bit up.
-  std::uint32_t FullBits(CellIndex index) const {
+  std::uint32_t OccupiedBits(CellIndex index) const {
     const int tile_x = index.x >> Tile::kShift, tile_y = index.y >> Tile::kShift;
     const int shift = index.x & Tile::kMask, row = index.y & Tile::kMask;
     std::uint32_t bits = 0;
@@ -94,7 +94,7 @@ class OccupancyGrid {
   // A tile that only this grid owns, made or duplicated if need be.
   Tile& WritableTile(int tile_x, int tile_y);
   void GrowToHold(int tile_x, int tile_y);
-  void UpdateFull(Tile& tile, int x, int y) const;
+  void UpdateOccupied(Tile& tile, int x, int y) const;
 
   Options options_;
   // Directory of tiles: a rectangle of tile indices, grown in whichever direction is needed.

@@ -30,7 +30,7 @@ class EdgeModel {
     Information information = Information::kProposal;
     double constant_sigma_m = 0.05;  // of kConstant
     double constant_sigma_rad = 0.01;
-    double hessian_gain = 0.1;  // of kHessian: neighbouring beams are not independent
+    double hessian_gain = 0.1;  // of kHessian: neighboring beams are not independent
     scan_matching::GaussNewton::Options gauss_newton;  // of kHessian
     friend bool operator==(const Options&, const Options&) = default;
   };

@@ -31,8 +31,8 @@ std::vector<SE2> TrunkOf(const TrajectoryTree& tree) {
 }  // namespace
 
 MapHistory::MapHistory(const Options& options, const map::OccupancyGrid::Options& grid,
-                       const map::RegistrationOptions& registration)
-    : options_(options), empty_(grid), registration_(registration) {
+                       const map::InsertionOptions& insertion)
+    : options_(options), empty_(grid), insertion_(insertion) {
   CHECK_GE(options.snapshot_every, 1);
 }
 
@@ -65,7 +65,7 @@ std::vector<map::OccupancyGrid> MapHistory::Rebuild(const TrajectoryTree& tree,
   map::OccupancyGrid map = snapshots_.empty() ? empty_ : snapshots_.back().map;
   for (int step = static_cast<int>(entered_.size()); step < static_cast<int>(trunk.size());
        ++step) {
-    map::RegisterScan(scan_of_step(step), trunk[step], registration_, &map);
+    map::InsertScan(scan_of_step(step), trunk[step], insertion_, &map);
     entered_.push_back(trunk[step]);
     if ((step + 1) % options_.snapshot_every == 0) snapshots_.push_back({step + 1, map});
   }
@@ -92,7 +92,7 @@ std::vector<map::OccupancyGrid> MapHistory::Rebuild(const TrajectoryTree& tree,
       continue;
     }
     maps[i] = inherit(vertex.parent);
-    map::RegisterScan(scan_of_step(vertex.step), vertex.world_T_robot, registration_, &*maps[i]);
+    map::InsertScan(scan_of_step(vertex.step), vertex.world_T_robot, insertion_, &*maps[i]);
   }
   std::vector<map::OccupancyGrid> result;
   for (const Index leaf : leaves) result.push_back(inherit(leaf));

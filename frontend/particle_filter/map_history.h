@@ -7,7 +7,7 @@
 
 #include "backend/se2.h"
 #include "frontend/map/occupancy_grid.h"
-#include "frontend/map/scan_registration.h"
+#include "frontend/map/scan_insertion.h"
 #include "frontend/particle_filter/trajectory_tree.h"
 #include "frontend/sensor/laser_scan.h"
 
@@ -29,7 +29,7 @@ class MapHistory {
   };
 
   MapHistory(const Options& options, const map::OccupancyGrid::Options& grid,
-             const map::RegistrationOptions& registration);
+             const map::InsertionOptions& insertion);
 
   // Forgets the snapshots: the scans are other ones from now on.
   void Forget();
@@ -50,7 +50,7 @@ class MapHistory {
 
   Options options_;
   map::OccupancyGrid empty_;
-  map::RegistrationOptions registration_;
+  map::InsertionOptions insertion_;
   std::vector<Snapshot> snapshots_;    // by number of steps
   std::vector<backend::SE2> entered_;  // poses of the steps that the last snapshot holds
 };

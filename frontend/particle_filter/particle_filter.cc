@@ -51,7 +51,7 @@ ParticleFilter::ParticleFilter(const Options& options,
       pose_sampling_(MakePoseSampling(
           options.proposal, options.edges.information == EdgeModel::Information::kProposal)),
       edge_model_(options.edges),
-      map_history_(options.map_history, options.grid, options.registration) {
+      map_history_(options.map_history, options.grid, options.insertion) {
   CHECK_GE(options.particles, 1);
   CHECK_GE(options.threads, 1);
   CHECK_GT(options.obs_sigma_gain, 0.0);
@@ -68,7 +68,7 @@ void ParticleFilter::Start(const sensor::LaserScan& scan, const SE2& world_T_rob
                  .map = map::OccupancyGrid(options_.grid),
                  .leaf = tree_.AddRoot(world_T_robot),
                  .motion = {}};
-  map::RegisterScan(scan, world_T_robot, options_.registration, &first.map);
+  map::InsertScan(scan, world_T_robot, options_.insertion, &first.map);
   particles_.assign(options_.particles, first);
 }
 
@@ -114,7 +114,7 @@ void ParticleFilter::BeginPiece(const sensor::LaserScan& scan, const SE2& guess)
     particle.motion = {.previous_T_robot = guess, .information = next_to_nothing};
     particle.leaf = tree_.Append(particle.leaf, particle.world_T_robot, particle.motion);
     particle.map = map::OccupancyGrid(options_.grid);
-    map::RegisterScan(scan, particle.world_T_robot, options_.registration, &particle.map);
+    map::InsertScan(scan, particle.world_T_robot, options_.insertion, &particle.map);
   }
 }
 
@@ -174,7 +174,7 @@ void ParticleFilter::Register(const sensor::LaserScan& scan, const std::vector<i
   std::unique_copy(ancestors.begin(), ancestors.end(), std::back_inserter(survivors));
   ParallelFor(options_.threads, static_cast<int>(survivors.size()), [&](int i) {
     Particle& particle = particles_[survivors[i]];
-    map::RegisterScan(scan, particle.world_T_robot, options_.registration, &particle.map);
+    map::InsertScan(scan, particle.world_T_robot, options_.insertion, &particle.map);
   });
 }
 

@@ -8,7 +8,7 @@
 
 #include "backend/se2.h"
 #include "frontend/map/occupancy_grid.h"
-#include "frontend/map/scan_registration.h"
+#include "frontend/map/scan_insertion.h"
 #include "frontend/particle_filter/control.h"
 #include "frontend/particle_filter/edge_model.h"
 #include "frontend/particle_filter/map_history.h"
@@ -41,7 +41,7 @@ class ParticleFilter {
     EdgeModel::Options edges;
     MotionModel::Options motion;
     map::OccupancyGrid::Options grid;
-    map::RegistrationOptions registration;
+    map::InsertionOptions insertion;
     MapHistory::Options map_history;
     scan_matching::EndpointModel::Options endpoint;
     friend bool operator==(const Options&, const Options&) = default;

@@ -25,14 +25,14 @@ Vector3d Offset(const SE2& from, const SE2& to) {
   return {to.x - from.x, to.y - from.y, backend::WrapAngle(to.theta - from.theta)};
 }
 
-// Minus the Hessian of f at zero, where it is `centre`, by central differences with unit step,
+// Minus the Hessian of f at zero, where it is `center`, by central differences with unit step,
 // without the parts that curve upward: there the likelihood does not bound the pose.
 template <typename Function>
-Matrix3d Curvature(double centre, const Function& f) {
+Matrix3d Curvature(double center, const Function& f) {
   Matrix3d curvature;
   for (int i = 0; i < 3; ++i) {
     const Vector3d ei = Vector3d::Unit(i);
-    curvature(i, i) = 2.0 * centre - f(ei) - f(-ei);
+    curvature(i, i) = 2.0 * center - f(ei) - f(-ei);
     for (int j = 0; j < i; ++j) {
       // Both diagonals: beside a wall, where the likelihood has its floor, one alone misleads.
       const Vector3d ej = Vector3d::Unit(j);

@@ -53,8 +53,8 @@ CorrelativeMatcher::CorrelativeMatcher(const Options& options,
     : options_(options),
       pyramid_(MakeLikelihoodField(options.field, reference), options.pyramid_levels) {
   CHECK_GT(options.min_score, 0.0);
-  CHECK_GT(options.second_floor, 0.0);
-  CHECK_LE(options.second_floor, 1.0);
+  CHECK_GT(options.runner_up_floor, 0.0);
+  CHECK_LE(options.runner_up_floor, 1.0);
   CHECK_GE(options.peak_separation_m, 0.0);
   CHECK_GE(options.peak_separation_rad, 0.0);
   CHECK_GT(options.independent_points, 0.0);
@@ -86,7 +86,7 @@ CorrelativeMatch CorrelativeMatcher::Match(const std::vector<Eigen::Vector2d>& p
 
   std::priority_queue<PoseBlock, std::vector<PoseBlock>, ComesAfter> queue;
   // A sum below this is neither that of a match nor of a second peak that matters.
-  double floor = options_.second_floor * options_.min_score * full_sum;
+  double floor = options_.runner_up_floor * options_.min_score * full_sum;
   const auto push_parts = [&](const PoseBlock& block) {
     lattice.ForEachPart(block, [&](const PoseBlock& part) {
       if (part.bound >= floor) queue.push(part);
@@ -101,20 +101,20 @@ CorrelativeMatch CorrelativeMatcher::Match(const std::vector<Eigen::Vector2d>& p
     const PoseBlock block = queue.top();
     queue.pop();
     const double score = block.bound / full_sum;
-    if (score < (match.found ? match.second_score : options_.min_score)) break;
+    if (score < (match.found ? match.runner_up_score : options_.min_score)) break;
     if (peak && peak->HoldsAllOf(block)) continue;
     if (block.level > 0) {
       push_parts(block);
     } else if (match.found) {
-      match.second_score = score;
-      match.second_map_T_scan = lattice.Pose(block);
+      match.runner_up_score = score;
+      match.runner_up_map_T_scan = lattice.Pose(block);
       break;
     } else {
       match.found = true;
-      match.map_T_scan = match.second_map_T_scan = lattice.Pose(block);
+      match.map_T_scan = match.runner_up_map_T_scan = lattice.Pose(block);
       match.score = score;
-      match.second_score = options_.second_floor * score;
-      floor = options_.second_floor * block.bound;
+      match.runner_up_score = options_.runner_up_floor * score;
+      floor = options_.runner_up_floor * block.bound;
       peak.emplace(&lattice, block, options_.peak_separation_m, options_.peak_separation_rad);
       if (options_.with_covariance) {
         match.covariance = peak->Covariance(options_.independent_points / full_sum);

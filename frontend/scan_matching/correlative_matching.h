@@ -21,10 +21,10 @@ struct CorrelativeMatch {
   bool found = false;       // whether some pose reached min_score; if not, the rest says nothing
   backend::SE2 map_T_scan;  // the best pose; of equally good ones that nearest to the initial pose
   double score = 0.0;       // there: mean over the points of the likelihood field, 0 to 1
-  // Best score outside the peak of the best pose, or second_floor times `score` if nothing outside
-  // reaches that. The closer it is to `score`, the more ambiguous is the match.
-  double second_score = 0.0;
-  backend::SE2 second_map_T_scan;  // where that is; the best pose where nothing reaches it
+  // Best score outside the peak of the best pose, or runner_up_floor times `score` if nothing
+  // outside reaches that. The closer it is to `score`, the more ambiguous is the match.
+  double runner_up_score = 0.0;
+  backend::SE2 runner_up_map_T_scan;  // where that is; the best pose where nothing reaches it
   // Of (x, y, theta) in the frame of the map, from the scores of the peak as far as it lies in the
   // window, with weights exp(independent_points (score(pose) - score)). See ScorePeak. For small
   // distances the value of a point is 1 - d^2 / 2 sigma^2: the exponent is the log likelihood of so
@@ -48,8 +48,8 @@ class CorrelativeMatcher {
     double peak_separation_rad = 0.1;
     // A second peak lower than this part of the best is not looked for: the lower, the longer the
     // search.
-    double second_floor = 0.7;
-    // How many points say as much as all points together: neighbours share the errors of the map,
+    double runner_up_floor = 0.7;
+    // How many points say as much as all points together: neighbors share the errors of the map,
     // and the covariance must not shrink with the number of beams.
     double independent_points = 20.0;
     bool with_covariance = true;  // takes about as long as the search; otherwise it stays zero

@@ -22,7 +22,7 @@ constexpr int kCellsBehind = 12;
 constexpr float kExpectedSquaredDistance = 1.0f;
 
 // So many beams, evenly spread, tell the likelihood of a pose as well as all of a dense scan, whose
-// neighbours see the same wall.
+// neighbors see the same wall.
 constexpr std::size_t kEnoughBeams = 90;
 
 constexpr float kNothing = std::numeric_limits<float>::infinity();
@@ -88,9 +88,9 @@ float EndpointModel::SquaredDistanceToHit(const EndPoint& end) const {
     nearest = std::min(nearest, dx * dx + dy * dy);
   };
   if (free_cell_in_front_) {
-    end.block->ForEachFullNeighbour(end.cell, end.back_dx, end.back_dy, compare);
+    end.block->ForEachFullNeighbor(end.cell, end.back_dx, end.back_dy, compare);
   } else {
-    end.block->ForEachFullNeighbour(end.cell, compare);
+    end.block->ForEachFullNeighbor(end.cell, compare);
   }
   return nearest;
 }
@@ -114,7 +114,7 @@ bool EndpointModel::IsUnknown(const EndPoint& end) const {
   if (grid_->cell(end.cell).visits > 0) return false;
   for (int k = 1; k <= kCellsBehind; ++k) {
     const CellIndex cell{FloorToCell(end.x + k * end.back_x), FloorToCell(end.y + k * end.back_y)};
-    if (grid_->FullBits(cell) & 1u) return false;
+    if (grid_->OccupiedBits(cell) & 1u) return false;
   }
   return true;
 }

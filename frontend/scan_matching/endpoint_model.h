@@ -32,15 +32,15 @@ struct Evidence {
 // One scan z and one map m, to be evaluated at many poses x near each other, in three ways:
 //
 // The score, for searching, is that of GMapping (Grisetti, Stachniss, Burgard 2007): a beam is
-// explained by the nearest hit mean among the full cells of the 3 x 3 neighbourhood of its end
-// point whose neighbour toward the laser is not full as well: a wall is seen from its own side.
+// explained by the nearest hit mean among the occupied cells of the 3 x 3 neighborhood of its end
+// point whose neighbor toward the laser is not full as well: a wall is seen from its own side.
 //
 // The evidence, for comparing poses far from each other, is that sum with beams in unseen space
 // left out.
 //
 // The likelihood, for weights and proposals, measures the distance to the surface that the hit
 // means form (LocalSurface). It must not say more than the walls do: the nearest hit mean would
-// hold a scan along a corridor by the spacing of cells, and so would the rule about the neighbour,
+// hold a scan along a corridor by the spacing of cells, and so would the rule about the neighbor,
 // which beams that graze a wall break at every other cell. GMapping takes the nearest hit mean all
 // the same, that of the score.
 class EndpointModel {
@@ -54,7 +54,7 @@ class EndpointModel {
     double score_sigma_m = 0.05;       // of the score's kernel
     double likelihood_sigma_m = 0.03;  // of a beam's end point, map errors included
     double unmatched_sigmas = 5.0;     // at most this far off is a beam; farther is an outlier
-    // Exponent of the likelihood. Neighbouring beams see the same wall and the same error of the
+    // Exponent of the likelihood. Neighboring beams see the same wall and the same error of the
     // map: their product would be too sure of itself.
     double likelihood_gain = 1.0 / 3.0;
     // Whether a beam that ends in unseen space is one that does not fit, for the likelihood, as in
@@ -92,7 +92,7 @@ class EndpointModel {
   struct EndPoint {
     double x, y;  // in cells
     map::CellIndex cell;
-    int back_dx, back_dy;  // the neighbouring cell toward the laser
+    int back_dx, back_dy;  // the neighboring cell toward the laser
     const map::CellBlock* block;
     double back_x, back_y;  // unit vector toward the laser
   };

@@ -10,7 +10,7 @@ HillClimbing::HillClimbing(const Options& options, const EndpointModel::Options&
     : options_(options), model_options_(model_options) {
   CHECK_GT(options.linear_step_m, 0.0);
   CHECK_GT(options.angular_step_rad, 0.0);
-  CHECK_GE(options.halvings, 0);
+  CHECK_GE(options.num_refinements, 0);
 }
 
 MatchResult HillClimbing::Match(const map::OccupancyGrid& grid, const ScanPoints& points,
@@ -20,7 +20,7 @@ MatchResult HillClimbing::Match(const map::OccupancyGrid& grid, const ScanPoints
   SE2 best = initial_world_T_robot;
   double best_score = model.Score(best);
   double linear = options_.linear_step_m, angular = options_.angular_step_rad;
-  for (int halving = 0; halving <= options_.halvings; ++halving) {
+  for (int halving = 0; halving <= options_.num_refinements; ++halving) {
     for (bool moved = true; moved;) {
       moved = false;
       // Moves in the robot frame, all tried from the same pose; the best one is taken.

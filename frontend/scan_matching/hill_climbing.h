@@ -12,7 +12,7 @@ class HillClimbing : public ScanMatcher {
   struct Options {
     double linear_step_m = 0.05;     // first step
     double angular_step_rad = 0.05;  // first step
-    int halvings = 5;                // how often the steps are halved before it stops
+    int num_refinements = 5;         // how often the steps are halved before it stops
     double min_score = 0.2;          // a match below this is a failure
   };
 

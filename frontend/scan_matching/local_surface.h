@@ -18,17 +18,17 @@ struct LocalSurface {
   Eigen::Vector2f offset;      // from the point to the weighted mean
   Eigen::Matrix2f covariance;  // of the means
 
-  // Sums up the full cells of the 3 x 3 neighbourhood of the cell `index`, which holds the point
+  // Sums up the occupied cells of the 3 x 3 neighborhood of the cell `index`, which holds the point
   // (x, y). False when there are none.
   bool Fit(const map::CellBlock& block, map::CellIndex index, double x, double y) {
-    if (!block.HasFullNeighbour(index)) return false;
+    if (!block.HasOccupiedNeighbor(index)) return false;
     const auto in_cell_x = static_cast<float>(x - index.x);
     const auto in_cell_y = static_cast<float>(y - index.y);
     using Eigen::Array4f;
     Array4f w = Array4f::Zero(), wx = w, wy = w, wxx = w, wxy = w, wyy = w;
-    block.ForEachRowOfNeighbours(index, [&](const Array4f& mean_x, const Array4f& mean_y) {
+    block.ForEachRowOfNeighbors(index, [&](const Array4f& mean_x, const Array4f& mean_y) {
       const Array4f dx = mean_x - in_cell_x, dy = mean_y - in_cell_y;
-      // Falls to 0 at two cells, where hit means drop out of the neighbourhood.
+      // Falls to 0 at two cells, where hit means drop out of the neighborhood.
       const Array4f root = (1.0f - 0.25f * (dx * dx + dy * dy)).max(0.0f);
       const Array4f weight = root * root;
       w += weight;

@@ -10,7 +10,7 @@ namespace gmapping_spa::scan_matching {
 
 namespace {
 
-// Two neighbouring beams meet one surface where their end points are no farther apart than this
+// Two neighboring beams meet one surface where their end points are no farther apart than this
 // many times what they would be across the beams: that is, if it is not met at too flat an angle.
 constexpr double kFlattest = 4.0;
 constexpr double kMaxGap_m = 1.0;
@@ -38,14 +38,14 @@ bool OnOneSurface(const ScanPoint& a, const ScanPoint& b) {
   return SquaredDistance(a, b) <= limit_m * limit_m;
 }
 
-// Between neighbouring beams, on average; rad.
+// Between neighboring beams, on average; rad.
 double AngleBetweenBeams(const std::vector<sensor::Beam>& beams) {
   if (beams.size() < 2) return 2.0 * std::numbers::pi;
   return std::abs(beams.back().angle_rad - beams.front().angle_rad) /
          static_cast<double>(beams.size() - 1);
 }
 
-// From the neighbours that meet the same surface: both, if they agree with the point, else the
+// From the neighbors that meet the same surface: both, if they agree with the point, else the
 // nearer one.
 void SetNormal(const ScanPoint* before, const ScanPoint* after, ScanPoint* point) {
   if (!before && !after) return;
@@ -89,7 +89,7 @@ ScanPoints MakeScanPoints(const sensor::LaserScan& scan) {
     if (scan.beams[k].status == sensor::BeamStatus::kHit) beams.push_back(static_cast<int>(k));
   }
   // The farthest point in reach on the surface that goes on from point k in that direction; null
-  // where the neighbour is not on it.
+  // where the neighbor is not on it.
   const auto end_of_surface = [&](std::size_t k, std::size_t direction) {
     const ScanPoint* end = nullptr;
     for (std::size_t i = k; i + direction < points.size(); i += direction) {

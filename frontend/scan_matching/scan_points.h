@@ -19,7 +19,7 @@ struct ScanPoint {
   // What the beam counts as evidence, in [0.1, 1]: beams that end close to each other see the same
   // thing, and a person beside the laser is no more than one thing.
   double weight = 1.0;
-  // Unit normal of the surface there, from the neighbouring beams; (0, 0) where they do not meet
+  // Unit normal of the surface there, from the neighboring beams; (0, 0) where they do not meet
   // one smooth surface.
   double normal_x = 0.0;
   double normal_y = 0.0;

@@ -26,7 +26,7 @@ SeenThrough CountSeenThrough(const map::OccupancyGrid& grid, const ScanPoints& p
     const Eigen::Vector2d end = world_T_robot * Eigen::Vector2d(point.x_m, point.y_m) * cells_per_m;
     const Eigen::Vector2d back = rotation * Eigen::Vector2d(point.back_x, point.back_y);
     for (double k = margin; k < point.range_m * cells_per_m - margin; ++k) {
-      if (grid.FullBits(CellAt(end + k * back)) & 1u) {
+      if (grid.OccupiedBits(CellAt(end + k * back)) & 1u) {
         through.all += point.weight;
         if (grid.cell(CellAt(end)).visits == 0) through.into_unseen += point.weight;
         break;

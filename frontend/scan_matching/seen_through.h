@@ -8,9 +8,9 @@
 
 namespace gmapping_spa::scan_matching {
 
-// Numbers of beams that pass through full cells of a map and end more than 0.3 m behind them, each
-// counted by its ScanPoint::weight. Whoever stands in front of a laser makes beams shorter, never
-// longer.
+// Numbers of beams that pass through occupied cells of a map and end more than 0.3 m behind them,
+// each counted by its ScanPoint::weight. Whoever stands in front of a laser makes beams shorter,
+// never longer.
 struct SeenThrough {
   double all = 0.0;
   double into_unseen = 0.0;  // of these, the beams that end where no beam has been

@@ -116,7 +116,7 @@ Summary OptimizeOrThrow(const Options& options, std::span<const backend::Edge> e
   ::ceres::Problem problem(problem_options);
   for (std::size_t node = 0; node < poses.size(); ++node) {
     problem.AddParameterBlock(parameters(static_cast<int>(node)), 3);
-    if (index.held[node]) {
+    if (index.fixed[node]) {
       problem.SetParameterBlockConstant(parameters(static_cast<int>(node)));
     }
   }
@@ -153,7 +153,7 @@ Summary OptimizeOrThrow(const Options& options, std::span<const backend::Edge> e
   if (final_cost < summary.initial_cost) {
     summary.final_cost = final_cost;
     for (std::size_t k = 0; k < poses.size(); ++k) {
-      if (!index.held[k]) nodes[k].world_T_node = poses[k];
+      if (!index.fixed[k]) nodes[k].world_T_node = poses[k];
     }
   }
   return summary;

@@ -19,7 +19,7 @@ using gmapping_spa::backend::SE2;
 using gmapping_spa::backend::Summary;
 using gmapping_spa::backend::Termination;
 
-// The change of all poses that solves J' Lambda J dx = -J' Lambda e; zero for held nodes.
+// The change of all poses that solves J' Lambda J dx = -J' Lambda e; zero for fixed nodes.
 Eigen::VectorXd GaussNewtonStep(const PoseGraphView& graph, const GraphIndex& index,
                                 const std::vector<SE2>& poses, const Options& options) {
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(poses.size());
@@ -44,7 +44,7 @@ Eigen::VectorXd GaussNewtonStep(const PoseGraphView& graph, const GraphIndex& in
     }
   }
   for (std::size_t node = 0; node < poses.size(); ++node) {
-    if (!index.held[node]) continue;
+    if (!index.fixed[node]) continue;
     const Eigen::Index at = 3 * static_cast<Eigen::Index>(node);
     hessian.middleRows<3>(at).setZero();
     hessian.middleCols<3>(at).setZero();

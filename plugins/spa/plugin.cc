@@ -1,6 +1,6 @@
 #include "backend/plugin/plugin.h"
 #include "backend/spa/spa_optimizer.h"
 
-GMAPPING_SPA_BACKEND_PLUGIN(
-    gmapping_spa::spa::SpaOptimizer, "spa",
-    "Sparse Pose Adjustment on 3x3 blocks; settings: solver (block, cholmod), damping, max_rises");
+GMAPPING_SPA_BACKEND_PLUGIN(gmapping_spa::spa::SpaOptimizer, "spa",
+                            "Sparse Pose Adjustment on 3x3 blocks; settings: solver (block, "
+                            "cholmod), damping, max_nonmonotonic_steps");

@@ -56,22 +56,22 @@ TEST(CounterRandom, UniformHasTheMomentsOfTheUnitInterval) {
 
 TEST(CounterRandom, GaussianHasTheMomentsOfTheStandardNormal) {
   CounterRandom random(7, 0);
-  double sum = 0.0, sum_squares = 0.0, sum_fourth = 0.0, sum_neighbours = 0.0, previous = 0.0;
+  double sum = 0.0, sum_squares = 0.0, sum_fourth = 0.0, sum_neighbors = 0.0, previous = 0.0;
   for (int i = 0; i < kDraws; ++i) {
     const double g = random.Gaussian();
     sum += g;
     sum_squares += g * g;
     sum_fourth += g * g * g * g;
-    sum_neighbours += g * previous;
+    sum_neighbors += g * previous;
     previous = g;
   }
   EXPECT_NEAR(sum / kDraws, 0.0, kStandardErrors * std::sqrt(1.0 / kDraws));
   EXPECT_NEAR(sum_squares / kDraws, 1.0, kStandardErrors * std::sqrt(2.0 / kDraws));
   EXPECT_NEAR(sum_fourth / kDraws, 3.0, kStandardErrors * std::sqrt(96.0 / kDraws));
-  EXPECT_NEAR(sum_neighbours / kDraws, 0.0, kStandardErrors * std::sqrt(1.0 / kDraws));
+  EXPECT_NEAR(sum_neighbors / kDraws, 0.0, kStandardErrors * std::sqrt(1.0 / kDraws));
 }
 
-TEST(CounterRandom, NeighbouringAddressesAreUncorrelated) {
+TEST(CounterRandom, NeighboringAddressesAreUncorrelated) {
   double streams = 0.0, scans = 0.0, particles = 0.0, seeds = 0.0;
   for (std::uint32_t i = 0; i < kDraws; ++i) {
     const double here = CounterRandom(7, 1, i, 5).Gaussian();

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/frontend/lidar_odometry_drive.h"
 #include "tests/frontend/moving_laser.h"
-#include "tests/frontend/scan_odometry_drive.h"
 
 namespace gmapping_spa::frontend {
 namespace {
@@ -57,7 +57,7 @@ class ControlInputInARoom : public testing::Test {
 
 TEST_F(ControlInputInARoom, NothingIsReportedWhereAllIsWell) {
   for (const OdometrySource source :
-       {OdometrySource::kWheel, OdometrySource::kScanMatched, OdometrySource::kLidarOnly}) {
+       {OdometrySource::kWheel, OdometrySource::kLidar, OdometrySource::kLidarOnly}) {
     Start(source);
     step_ = 0;
     world_T_estimate_ = OnRound(0);
@@ -69,7 +69,7 @@ TEST_F(ControlInputInARoom, NothingIsReportedWhereAllIsWell) {
 }
 
 TEST_F(ControlInputInARoom, SaysOnceThatScansAreDeskewed) {
-  Start(OdometrySource::kScanMatched);
+  Start(OdometrySource::kLidar);
   constexpr double kSweep_s = 0.08, kInterval_s = 0.1;
   SE2 pose;
   for (int k = 0; k < 60; ++k) {
@@ -132,7 +132,7 @@ TEST_F(ControlInputInARoom, RawOdometryOverScansWithoutComesWithTheNextOne) {
 }
 
 TEST_F(ControlInputInARoom, ABlindScanIsReported) {
-  Start(OdometrySource::kScanMatched);
+  Start(OdometrySource::kLidar);
   DriveUpTo(20);
   sensor::LaserScan blind = ScanAt(21);
   for (sensor::Beam& beam : blind.beams) beam.status = sensor::BeamStatus::kInvalid;
@@ -142,7 +142,7 @@ TEST_F(ControlInputInARoom, ABlindScanIsReported) {
 }
 
 TEST_F(ControlInputInARoom, BlindScansAtTheBeginAreReportedWithTheFirstThatIsNot) {
-  Start(OdometrySource::kScanMatched);
+  Start(OdometrySource::kLidar);
   for (; step_ < 3; ++step_) {
     sensor::LaserScan blind = ScanAt(step_);
     for (sensor::Beam& beam : blind.beams) beam.status = sensor::BeamStatus::kNoReturn;
@@ -166,7 +166,7 @@ TEST_F(ControlInputInARoom, WheelsThatAreBelievedDoNotHideThatNothingFits) {
 }
 
 TEST_F(ControlInputInARoom, AnImpossibleStepIsLeftOutAndReportedWithItsTime) {
-  for (const OdometrySource source : {OdometrySource::kWheel, OdometrySource::kScanMatched}) {
+  for (const OdometrySource source : {OdometrySource::kWheel, OdometrySource::kLidar}) {
     health_ = {};
     Start(source);
     step_ = 0;
@@ -185,7 +185,7 @@ TEST_F(ControlInputInARoom, AnImpossibleStepIsLeftOutAndReportedWithItsTime) {
 }
 
 TEST_F(ControlInputInARoom, ARestartIsReported) {
-  Start(OdometrySource::kScanMatched);
+  Start(OdometrySource::kLidar);
   DriveUpTo(39);
   odom_T_world_ = Inverse(OnRound(40));
   DriveUpTo(80);
@@ -195,7 +195,7 @@ TEST_F(ControlInputInARoom, ARestartIsReported) {
 }
 
 TEST_F(ControlInputInARoom, SilentWheelsAreReported) {
-  Start(OdometrySource::kScanMatched);
+  Start(OdometrySource::kLidar);
   DriveUpTo(40);
   for (; step_ <= 80; ++step_) {
     sensor::LaserScan scan = ScanAt(step_);
@@ -208,7 +208,7 @@ TEST_F(ControlInputInARoom, SilentWheelsAreReported) {
 }
 
 TEST_F(ControlInputInARoom, AContradictionIsReported) {
-  Start(OdometrySource::kScanMatched);
+  Start(OdometrySource::kLidar);
   DriveUpTo(40);
   odom_T_world_ = odom_T_world_ * OnRound(40) * SE2{0, 0, 0.5} * Inverse(OnRound(40));
   DriveUpTo(80);
@@ -218,7 +218,7 @@ TEST_F(ControlInputInARoom, AContradictionIsReported) {
 }
 
 TEST_F(ControlInputInARoom, ARepeatedScanIsReportedAndIsNotCalledLost) {
-  Start(OdometrySource::kScanMatched);
+  Start(OdometrySource::kLidar);
   DriveUpTo(40);
   for (; step_ <= 45; ++step_) {
     sensor::LaserScan frozen = ScanAt(step_);
@@ -233,7 +233,7 @@ TEST_F(ControlInputInARoom, ARepeatedScanIsReportedAndIsNotCalledLost) {
 }
 
 TEST_F(ControlInputInARoom, ALogWithoutOdometryIsReported) {
-  Start(OdometrySource::kScanMatched);
+  Start(OdometrySource::kLidar);
   for (; step_ <= 80; ++step_) {
     sensor::LaserScan scan = ScanAt(step_);
     scan.has_odometry = false;
@@ -255,7 +255,7 @@ TEST_F(ControlInputInARoom, LidarOnlyNeverLooksAtTheOdometry) {
 }
 
 TEST_F(ControlInputInARoom, ACoveredLaserIsALostStretch) {
-  Start(OdometrySource::kScanMatched);
+  Start(OdometrySource::kLidar);
   DriveUpTo(40);
   for (; step_ <= 44; ++step_) {
     sensor::LaserScan covered = ScanAt(step_);

@@ -116,7 +116,7 @@ TEST_F(LoopDrive, WheelsAloneLeadAstray) {
 
 TEST_F(LoopDrive, EndsNearTheTruth) {
   const auto gmapping = Drive(Options(), Spa());
-  const Estimate estimate = gmapping->Finish();
+  const SlamResult estimate = gmapping->Finish();
   EXPECT_LT(LargestError(estimate.trajectory), 0.15);
   EXPECT_GE(gmapping->loop_closer().closures().size(), 2u);
   EXPECT_GT(gmapping->counts().corrections, 0);
@@ -139,7 +139,7 @@ class FailingMatcher : public scan_matching::ScanMatcher {
 TEST_F(LoopDrive, ClosedLoopsCorrectTheParticles) {
   ImprovedGmapping::Options options = Options();
   options.control.source = OdometrySource::kWheel;
-  options.make_final_round = false;
+  options.make_final_optimization = false;
   options.filter.particles = 1;
   options.filter.edges.measurement = particle_filter::EdgeModel::Measurement::kParticle;
   options.filter.motion = {.linear_per_linear = 0.01,
@@ -189,12 +189,12 @@ TEST_F(LoopDrive, CorrectionIsOfTheCurrentPoseOrOfTheWholeTrajectory) {
                               shift);
     for (int k = 0; k < 5; ++k) gmapping.AddScan(scans_[k]);
     ASSERT_TRUE(gmapping.graph_thread().busy());
-    const std::vector<SE2> before = backend::PosesOf(gmapping.CurrentEstimate().graph);
+    const std::vector<SE2> before = backend::PosesOf(gmapping.CurrentResult().graph);
     sensor::LaserScan again = scans_[4];
     again.index = 5;
     gmapping.AddScan(again);
     EXPECT_EQ(gmapping.counts().corrections, 1);
-    const Estimate estimate = gmapping.CurrentEstimate();
+    const SlamResult estimate = gmapping.CurrentResult();
     const std::vector<SE2> after = backend::PosesOf(estimate.graph);
     ASSERT_EQ(after.size(), 5u);
     for (int k = 0; k < 5; ++k) {
@@ -208,7 +208,7 @@ TEST_F(LoopDrive, CorrectionIsOfTheCurrentPoseOrOfTheWholeTrajectory) {
 
 TEST_F(LoopDrive, EstimateOnTheWayHasEverythingSoFar) {
   const auto gmapping = Drive(Options(), Spa());
-  const Estimate estimate = gmapping->CurrentEstimate();
+  const SlamResult estimate = gmapping->CurrentResult();
   EXPECT_LT(LargestError(estimate.trajectory), 0.2);
   EXPECT_EQ(estimate.graph.nodes.size(), static_cast<std::size_t>(gmapping->counts().updates));
   for (std::size_t k = 0; k < scans_.size(); k += 20) {
@@ -265,7 +265,7 @@ TEST_F(LoopDrive, AsyncAndInlineEndNearLockstep) {
 
 TEST_F(LoopDrive, OptimizesAfterSoManyUpdatesAndAfterAClosure) {
   ImprovedGmapping::Options options = Options();
-  options.make_final_round = false;
+  options.make_final_optimization = false;
   options.close_loops = false;
   options.optimize_every = 10;
   const auto gmapping = Drive(options, DoNothing);
@@ -279,13 +279,13 @@ TEST_F(LoopDrive, OptimizesAfterSoManyUpdatesAndAfterAClosure) {
 TEST_F(LoopDrive, OdometryThatJumpsOffTheMapIsLeftOut) {
   for (const SE2 jump : {SE2{2e4, 0, 0}, SE2{-1e9, 0, 0}, SE2{0, 1e300, 0}}) {
     const auto gmapping = Drive(Options(), DoNothing);
-    const SE2 before = gmapping->CurrentEstimate().trajectory.back().world_T_robot;
+    const SE2 before = gmapping->CurrentResult().trajectory.back().world_T_robot;
     sensor::LaserScan scan = scans_.back();
     scan.index = static_cast<std::int64_t>(scans_.size());
     scan.stamp_s += 0.1;
     scan.odom_T_robot = scan.odom_T_robot * jump;
     gmapping->AddScan(scan);
-    const SE2 after = gmapping->CurrentEstimate().trajectory.back().world_T_robot;
+    const SE2 after = gmapping->CurrentResult().trajectory.back().world_T_robot;
     // It may have gone on by a step, as before.
     EXPECT_LT(Between(before, after).translation().norm(), 0.5) << jump.x;
     EXPECT_EQ(gmapping->health().findings().count("odometry_impossible"), 1u) << jump.x;

@@ -34,7 +34,7 @@ class PlainGmapping : public testing::Test {
     options.filter.edges.measurement = particle_filter::EdgeModel::Measurement::kParticle;
     options.control.check.max_speed_m_s = max_speed_m_s_;
     options.close_loops = false;
-    options.make_final_round = false;
+    options.make_final_optimization = false;
     gmapping_ = std::make_unique<ImprovedGmapping>(
         options,
         std::make_shared<scan_matching::HillClimbing>(scan_matching::HillClimbing::Options{},
@@ -105,7 +105,7 @@ TEST_F(PlainGmapping, ThresholdsOfZeroUpdateWithEveryScan) {
 
 TEST_F(PlainGmapping, GraphIsAChainOfOneNodeAnUpdate) {
   AddDrive();
-  const PoseGraph graph = gmapping_->CurrentEstimate().graph;
+  const PoseGraph graph = gmapping_->CurrentResult().graph;
   const std::int64_t updates = gmapping_->counts().updates;
   ASSERT_GE(updates, 4);
   ASSERT_EQ(graph.nodes.size(), static_cast<std::size_t>(updates));
@@ -122,7 +122,7 @@ TEST_F(PlainGmapping, GraphIsAChainOfOneNodeAnUpdate) {
 
 TEST_F(PlainGmapping, InformationIsSymmetricAndPositiveDefinite) {
   AddDrive();
-  const PoseGraph graph = gmapping_->CurrentEstimate().graph;
+  const PoseGraph graph = gmapping_->CurrentResult().graph;
   ASSERT_GE(graph.edges.size(), 3u);
   for (const backend::Edge& edge : graph.edges) {
     EXPECT_TRUE(edge.information == edge.information.transpose());
@@ -140,7 +140,7 @@ TEST_F(PlainGmapping, InformationIsInTheFrameOfTheNodeTheEdgeStartsAt) {
     scan.stamp_s += 1.0;
     gmapping_->AddScan(scan);
   }
-  const PoseGraph graph = gmapping_->CurrentEstimate().graph;
+  const PoseGraph graph = gmapping_->CurrentResult().graph;
   ASSERT_EQ(graph.edges.size(), 2u);
   const backend::Edge& edge = graph.edges[1];
   EXPECT_EQ(edge.kind, backend::EdgeKind::kOdometry);
@@ -153,7 +153,7 @@ TEST_F(PlainGmapping, InformationIsInTheFrameOfTheNodeTheEdgeStartsAt) {
 
 TEST_F(PlainGmapping, EdgesMeasureWhatIsBetweenTheNodes) {
   AddDrive();
-  const PoseGraph graph = gmapping_->CurrentEstimate().graph;
+  const PoseGraph graph = gmapping_->CurrentResult().graph;
   ASSERT_GE(graph.edges.size(), 3u);
   for (std::size_t i = 0; i < graph.edges.size(); ++i) {
     const SE2 step = Between(graph.nodes[i].world_T_node, graph.nodes[i + 1].world_T_node);
@@ -163,7 +163,7 @@ TEST_F(PlainGmapping, EdgesMeasureWhatIsBetweenTheNodes) {
 
 TEST_F(PlainGmapping, TrajectoryHasAPoseForEveryScanInTheFrameOfTheFirst) {
   AddDrive();
-  const Estimate estimate = gmapping_->Finish();
+  const SlamResult estimate = gmapping_->Finish();
   const backend::Trajectory& trajectory = estimate.trajectory;
   ASSERT_EQ(trajectory.size(), 18u);
   EXPECT_EQ(gmapping_->counts().scans, 18);
@@ -180,13 +180,13 @@ TEST_F(PlainGmapping, TrajectoryHasAPoseForEveryScanInTheFrameOfTheFirst) {
 TEST_F(PlainGmapping, LeavesOutAStepThatNoRobotMakes) {
   Start(0.5, 10.0);
   for (int i = 0; i <= 10; ++i) Add({0.1 * i, 0, 0});
-  const SE2 before = gmapping_->CurrentEstimate().trajectory.back().world_T_robot;
+  const SE2 before = gmapping_->CurrentResult().trajectory.back().world_T_robot;
   const SE2 jump{2e4, 0, 0};
   sensor::LaserScan scan = synthetic::Scan(synthetic::Room(), {1.0, 0, 0}, {.beams = 91});
   scan.stamp_s = 1.1;
   scan.odom_T_robot = odom_T_world_ * SE2{1.0, 0, 0} * jump;
   gmapping_->AddScan(scan);
-  const Estimate estimate = gmapping_->Finish();
+  const SlamResult estimate = gmapping_->Finish();
   EXPECT_LT(Log(Between(before, estimate.trajectory.back().world_T_robot)).norm(), 0.05);
   ASSERT_EQ(gmapping_->health().findings().count("odometry_impossible"), 1u);
   EXPECT_EQ(gmapping_->health().findings().at("odometry_impossible").first_stamp_s, 1.1);

@@ -69,7 +69,7 @@ class LostAndFound : public testing::Test {
           return backend::OptimizeSafely({}, spa.get(), graph);
         });
     for (const sensor::LaserScan& scan : scans_) gmapping_->AddScan(scan);
-    estimate_ = std::make_unique<Estimate>(gmapping_->Finish());
+    estimate_ = std::make_unique<SlamResult>(gmapping_->Finish());
   }
 
   double LargestError(std::size_t first, std::size_t last) const {
@@ -112,7 +112,7 @@ class LostAndFound : public testing::Test {
   std::vector<sensor::LaserScan> scans_;
   std::vector<SE2> truth_;
   std::unique_ptr<ImprovedGmapping> gmapping_;
-  std::unique_ptr<Estimate> estimate_;
+  std::unique_ptr<SlamResult> estimate_;
 };
 
 TEST_F(LostAndFound, ARobotThatIsCarriedToAKnownPlaceIsFoundAgain) {

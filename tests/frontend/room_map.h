@@ -7,7 +7,7 @@
 
 #include "backend/se2.h"
 #include "frontend/map/occupancy_grid.h"
-#include "frontend/map/scan_registration.h"
+#include "frontend/map/scan_insertion.h"
 #include "tests/frontend/synthetic_room.h"
 
 namespace gmapping_spa::synthetic {
@@ -17,7 +17,7 @@ inline map::OccupancyGrid MapFrom(const Walls& walls,
                                   const Laser& laser = {}) {
   map::OccupancyGrid grid({});
   for (const backend::SE2& world_T_robot : world_T_robots) {
-    map::RegisterScan(Scan(walls, world_T_robot, laser), world_T_robot, {}, &grid);
+    map::InsertScan(Scan(walls, world_T_robot, laser), world_T_robot, {}, &grid);
   }
   return grid;
 }

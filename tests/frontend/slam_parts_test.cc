@@ -15,7 +15,7 @@ TEST(SlamParts, DefaultsOfThePartsAreThoseOfTheWhole) {
 TEST(SlamParts, ResolutionIsThatOfAllMaps) {
   const ImprovedGmapping::Options parts = GmappingOptions({.resolution_m = 0.1});
   EXPECT_EQ(parts.filter.grid.resolution_m, 0.1);
-  EXPECT_EQ(parts.control.scan_odometry.grid.resolution_m, 0.1);
+  EXPECT_EQ(parts.control.lidar_odometry.grid.resolution_m, 0.1);
   EXPECT_EQ(parts.loop_closer.verifier.grid.resolution_m, 0.1);
 }
 
@@ -25,8 +25,8 @@ TEST(SlamParts, AllThatAlignScansDoItAlike) {
   options.match_robust_sigmas = 3.0;
   const ImprovedGmapping::Options parts = GmappingOptions(options);
   for (const scan_matching::GaussNewton::Options& aligns :
-       {parts.filter.edges.gauss_newton, parts.control.scan_odometry.gauss_newton,
-        parts.loop_closer.verifier.gauss_newton, parts.final_round.gauss_newton}) {
+       {parts.filter.edges.gauss_newton, parts.control.lidar_odometry.gauss_newton,
+        parts.loop_closer.verifier.gauss_newton, parts.final_optimization.gauss_newton}) {
     EXPECT_EQ(aligns.noise_sigma_m, 0.05);
     EXPECT_EQ(aligns.robust_sigmas, 3.0);
   }
@@ -38,9 +38,9 @@ TEST(SlamParts, SpeedLimitsHoldForWheelsAndScans) {
   options.max_turn_rad_s = 3.0;
   const ControlInput::Options control = GmappingOptions(options).control;
   EXPECT_EQ(control.check.max_speed_m_s, 2.0);
-  EXPECT_EQ(control.scan_odometry.prior.max_speed_m_s, 2.0);
+  EXPECT_EQ(control.lidar_odometry.prior.max_speed_m_s, 2.0);
   EXPECT_EQ(control.check.max_turn_rad_s, 3.0);
-  EXPECT_EQ(control.scan_odometry.prior.max_turn_rad_s, 3.0);
+  EXPECT_EQ(control.lidar_odometry.prior.max_turn_rad_s, 3.0);
 }
 
 TEST(SlamParts, WithoutMatchedScansEdgesMeasureByParticle) {
@@ -49,7 +49,7 @@ TEST(SlamParts, WithoutMatchedScansEdgesMeasureByParticle) {
   for (const auto& [odometry, measurement] :
        {std::pair{SlamOptions::Odometry::kRaw, Measurement::kParticle},
         {SlamOptions::Odometry::kWheel, Measurement::kParticle},
-        {SlamOptions::Odometry::kScanMatched, Measurement::kControl},
+        {SlamOptions::Odometry::kLidar, Measurement::kControl},
         {SlamOptions::Odometry::kLidarOnly, Measurement::kControl}}) {
     options.odometry = odometry;
     EXPECT_EQ(GmappingOptions(options).filter.edges.measurement, measurement);

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "frontend/map/scan_registration.h"
+#include "frontend/map/scan_insertion.h"
 #include "frontend/scan_matching/scan_points.h"
 #include "tests/frontend/synthetic_room.h"
 
@@ -41,7 +41,7 @@ bool Same(const map::OccupancyGrid& a, const map::OccupancyGrid& b) {
 map::OccupancyGrid MapOf(int first, int last) {
   map::OccupancyGrid grid({});
   for (int k = first; k <= last; ++k) {
-    map::RegisterScan(ScanAt(Place(k)), Place(k), {.clear_margin_m = 0.2}, &grid);
+    map::InsertScan(ScanAt(Place(k)), Place(k), {.clear_margin_m = 0.2}, &grid);
   }
   return grid;
 }
@@ -49,7 +49,7 @@ map::OccupancyGrid MapOf(int first, int last) {
 TEST(SlidingMap, IsEmptyUntilAScanIsEntered) {
   SlidingMap map({}, 4);
   EXPECT_TRUE(map.empty());
-  map.Enter(ScanAt({}), {});
+  map.Insert(ScanAt({}), {});
   EXPECT_FALSE(map.empty());
 }
 
@@ -57,7 +57,7 @@ TEST(SlidingMap, HoldsTheLastScansBetweenHalfOfThemAndAll) {
   constexpr int kScans = 6;
   SlidingMap map({}, kScans);
   for (int k = 0; k < 25; ++k) {
-    map.Enter(ScanAt(Place(k)), Place(k));
+    map.Insert(ScanAt(Place(k)), Place(k));
     int held = 0;
     for (int scans = 1; scans <= k + 1 && held == 0; ++scans) {
       if (Same(map.grid(), MapOf(k + 1 - scans, k))) held = scans;
@@ -72,7 +72,7 @@ TEST(SlidingMap, HoldsMoreScansOfFewBeams) {
   for (int k = 0; k < 8; ++k) {
     sensor::LaserScan scan = ScanAt(Place(k));
     scan.beams.resize(18);  // worth a twenty-fifth
-    map.Enter(scan, Place(k));
+    map.Insert(scan, Place(k));
   }
   const map::CellIndex laser{map::FloorToCell(Place(0).x / 0.05),
                              map::FloorToCell(Place(0).y / 0.05)};
@@ -81,16 +81,16 @@ TEST(SlidingMap, HoldsMoreScansOfFewBeams) {
 
 TEST(SlidingMap, ForgetsEverythingWhenCleared) {
   SlidingMap map({}, 4);
-  for (int k = 0; k < 5; ++k) map.Enter(ScanAt(Place(k)), Place(k));
+  for (int k = 0; k < 5; ++k) map.Insert(ScanAt(Place(k)), Place(k));
   map.Clear();
   EXPECT_TRUE(map.empty());
-  map.Enter(ScanAt(Place(7)), Place(7));
+  map.Insert(ScanAt(Place(7)), Place(7));
   EXPECT_TRUE(Same(map.grid(), MapOf(7, 7)));
 }
 
 TEST(SlidingMap, SearchFindsAScanInItsSurroundings) {
   SlidingMap map({}, 8);
-  for (int k = 0; k < 6; ++k) map.Enter(ScanAt(Place(k)), Place(k));
+  for (int k = 0; k < 6; ++k) map.Insert(ScanAt(Place(k)), Place(k));
   const SE2 truth = Place(4) * SE2{0.4, -0.3, 0.5};
   const auto found = map.Search({}, Place(5), 10.0).Match(Positions(truth), Place(4), {0.75, 0.8});
   ASSERT_TRUE(found.found);
@@ -102,18 +102,18 @@ TEST(SlidingMap, SearchFindsAScanInItsSurroundings) {
 TEST(SlidingMap, SearchKnowsWhatWasEnteredSince) {
   SlidingMap map({}, 8);
   const SE2 elsewhere{30, 0, 0};
-  map.Enter(ScanAt({}), {});
+  map.Insert(ScanAt({}), {});
   ASSERT_TRUE(map.Search({}, {}, 10.0).Match(Positions({}), {}, {0.2, 0.1}).found);
   // The same room once more, far away.
-  map.Enter(ScanAt({}), elsewhere);
+  map.Insert(ScanAt({}), elsewhere);
   EXPECT_TRUE(map.Search({}, elsewhere, 10.0).Match(Positions({}), elsewhere, {0.2, 0.1}).found);
 }
 
 TEST(SlidingMap, SearchFollowsTheRobot) {
   SlidingMap map({}, 8);
   const SE2 elsewhere{30, 0, 0};
-  map.Enter(ScanAt({}), {});
-  map.Enter(ScanAt({}), elsewhere);
+  map.Insert(ScanAt({}), {});
+  map.Insert(ScanAt({}), elsewhere);
   for (const SE2& there : {SE2{}, elsewhere, SE2{}}) {
     EXPECT_TRUE(map.Search({}, there, 10.0).Match(Positions({}), there, {0.2, 0.1}).found);
     const SE2 away = there.x == 0.0 ? elsewhere : SE2{};

@@ -56,7 +56,7 @@ TEST_P(EveryBackend, NeverReturnsWorsePosesThanItGot) {
     for (std::size_t k = 0; k < before.size(); ++k) {
       EXPECT_TRUE(graph.nodes[k].world_T_node.IsFinite());
       EXPECT_EQ(graph.nodes[k].id, before[k].id);
-      if (index.held[k]) {
+      if (index.fixed[k]) {
         EXPECT_EQ(graph.nodes[k].world_T_node, before[k].world_T_node);
       }
     }

@@ -27,13 +27,13 @@ TEST(IndexGraph, FindsNodesWhateverTheirIds) {
 
 TEST(IndexGraph, HoldsTheFirstNodeOfEachComponent) {
   const PoseGraph graph = MakeGraph({0, 1, 2, 3, 4, 5}, {{4, 1}, {5, 4}, {3, 2}});
-  EXPECT_THAT(IndexGraph(graph).held, ElementsAre(true, true, true, false, false, false));
+  EXPECT_THAT(IndexGraph(graph).fixed, ElementsAre(true, true, true, false, false, false));
 }
 
 TEST(IndexGraph, HoldsFixedNodesInstead) {
   PoseGraph graph = MakeGraph({0, 1, 2, 3, 4}, {{0, 1}, {1, 2}, {3, 4}});
   graph.nodes[1].fixed = graph.nodes[2].fixed = true;
-  EXPECT_THAT(IndexGraph(graph).held, ElementsAre(false, true, true, true, false));
+  EXPECT_THAT(IndexGraph(graph).fixed, ElementsAre(false, true, true, true, false));
 }
 
 TEST(IndexGraph, RejectsUnknownAndRepeatedIds) {

@@ -175,7 +175,7 @@ TEST(SpaOptimizer, DampsWhereGaussNewtonFails) {
     PoseGraph graph = backend::RandomGraph(seed, {.pose_noise = 5.0});
     Options options;
     options.initialization = backend::Initialization::kKeep;
-    options.settings = {{"max_rises", "0"}};
+    options.settings = {{"max_nonmonotonic_steps", "0"}};
     const Summary summary = Optimize(&graph, options);
     damped += std::any_of(summary.iterations.begin(), summary.iterations.end(),
                           [](const auto& record) { return record.damping > 0.0; });
@@ -195,8 +195,9 @@ TEST(SpaOptimizer, LeavesABadStartByItself) {
 
 TEST(SpaOptimizer, RejectsUnknownSettings) {
   PoseGraph graph = backend::RandomGraph(1);
-  for (const auto& [name, value] : {std::pair("solver", "fast"), std::pair("slover", "block"),
-                                    std::pair("damping", "-1"), std::pair("max_rises", "1.5")}) {
+  for (const auto& [name, value] :
+       {std::pair("solver", "fast"), std::pair("slover", "block"), std::pair("damping", "-1"),
+        std::pair("max_nonmonotonic_steps", "1.5")}) {
     Options options;
     options.settings[name] = value;
     EXPECT_EQ(Optimize(&graph, options).termination, Termination::kFailure) << name;

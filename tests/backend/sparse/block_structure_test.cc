@@ -33,7 +33,7 @@ void ExpectFits(const BlockStructure& structure, const GraphIndex& index) {
   for (std::size_t e = 0; e < index.edges.size(); ++e) {
     const auto [i, j] = index.edges[e];
     const BlockStructure::Slot slot = structure.slot_of_edge[e];
-    if (index.held[i] || index.held[j] || i == j) {
+    if (index.fixed[i] || index.fixed[j] || i == j) {
       EXPECT_EQ(slot.block, -1);
       continue;
     }
@@ -45,19 +45,19 @@ void ExpectFits(const BlockStructure& structure, const GraphIndex& index) {
     EXPECT_EQ(structure.row[slot.block], row);
   }
   EXPECT_EQ(BlockedPairs(structure), expected);
-  for (std::size_t node = 0; node < index.held.size(); ++node) {
+  for (std::size_t node = 0; node < index.fixed.size(); ++node) {
     const int column = structure.column_of_node[node];
-    ASSERT_EQ(column < 0, index.held[node]);
+    ASSERT_EQ(column < 0, index.fixed[node]);
     if (column >= 0) {
       EXPECT_EQ(structure.node_of_column[column], static_cast<int>(node));
     }
   }
 }
 
-// A graph with parallel edges, an edge from a node to itself and one between held nodes.
+// A graph with parallel edges, an edge from a node to itself and one between fixed nodes.
 GraphIndex AwkwardIndex() {
   GraphIndex index;
-  index.held = {true, false, false, true, false, false};
+  index.fixed = {true, false, false, true, false, false};
   index.edges = {{0, 1}, {1, 2}, {2, 1}, {1, 2}, {4, 4}, {0, 3}, {5, 1}, {2, 5}, {3, 4}};
   return index;
 }
@@ -73,7 +73,7 @@ TEST(OrderByMinimumDegree, GivesEachEdgeItsBlock) {
 TEST(OrderByMinimumDegree, TakesGraphsWithoutFreeNodes) {
   GraphIndex index;
   EXPECT_EQ(OrderByMinimumDegree(index).columns(), 0);
-  index.held = {true, true};
+  index.fixed = {true, true};
   index.edges = {{0, 1}};
   EXPECT_EQ(OrderByMinimumDegree(index).columns(), 0);
 }
@@ -81,10 +81,10 @@ TEST(OrderByMinimumDegree, TakesGraphsWithoutFreeNodes) {
 TEST(AppendNewNodes, PutsNewNodesLastAndKeepsTheRest) {
   const GraphIndex index = IndexGraph(backend::RandomGraph(5));
   GraphIndex first = index;
-  first.held.resize(20);
+  first.fixed.resize(20);
   std::erase_if(first.edges, [](const auto& edge) { return std::max(edge.i, edge.j) >= 20; });
   GraphIndex whole = first;
-  whole.held = index.held;
+  whole.fixed = index.fixed;
   for (const auto& edge : index.edges) {
     if (std::max(edge.i, edge.j) >= 20) whole.edges.push_back(edge);
   }

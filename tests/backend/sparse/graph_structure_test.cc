@@ -9,8 +9,8 @@ namespace {
 
 backend::GraphIndex Chain(int nodes) {
   backend::GraphIndex index;
-  index.held.assign(nodes, false);
-  index.held[0] = true;
+  index.fixed.assign(nodes, false);
+  index.fixed[0] = true;
   for (int k = 0; k + 1 < nodes; ++k) index.edges.push_back({k, k + 1});
   return index;
 }
@@ -28,7 +28,7 @@ TEST(GraphStructure, ChangesOnlyWithTheGraph) {
   other.edges.back() = {2, 8};
   structure.Update(other);
   EXPECT_TRUE(structure.changed());
-  other.held[5] = true;
+  other.fixed[5] = true;
   structure.Update(other);
   EXPECT_TRUE(structure.changed());
   EXPECT_EQ(structure.blocks().columns(), 7);
@@ -48,14 +48,14 @@ TEST(GraphStructure, OrdersAnewBeforeTheFactorFillsUp) {
   GraphStructure grown, fresh;
   backend::GraphIndex index = Chain(40);
   for (int k = 40; k < 400; ++k) {
-    index.held.push_back(false);
+    index.fixed.push_back(false);
     index.edges.push_back({k - 1, k});
     index.edges.push_back({(k * 37) % (k - 1), k});
     grown.Update(index);
   }
   fresh.Update(index);
   EXPECT_LT(grown.symbolic().block_products,
-            2 * fresh.symbolic().block_products + 100 * index.held.size());
+            2 * fresh.symbolic().block_products + 100 * index.fixed.size());
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ TEST_F(BadInput, RangesThatAreNoNumbersOnlyCostTheirBeam) {
 TEST_F(BadInput, OdometryThatJumpsOffTheMapIsLeftOutWithAWarning) {
   for (const char* pose : {"20000 0 0", "100000 50000 0", "-900000 0 0"}) {
     const std::string log = folder_.FileWith("jump.clf", WithGoodScans(Scan("2.5", pose)));
-    for (const char* odometry : {"--odometry=wheel", "--odometry=scan_matched"}) {
+    for (const char* odometry : {"--odometry=wheel", "--odometry=lidar"}) {
       std::vector<std::string> flags = LogFlags(log);
       flags.emplace_back(odometry);
       const CommandResult result = Run(GMAPPING_SPA, flags);
@@ -213,8 +213,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_F(BadInput, TooManyHalvingsOfHillClimbingAreOneLine) {
   ExpectOneLine(Run(GMAPPING_SPA, {"--log=" + good_log_, "--scan_matcher=hill_climbing",
-                                   "--match_halvings=100000"}),
-                "--match_halvings");
+                                   "--match_refinements=100000"}),
+                "--match_refinements");
 }
 
 class BadSimulateFlag : public BadInput, public ::testing::WithParamInterface<Case> {};

@@ -32,14 +32,14 @@ TEST(WriteClosures, WritesALineForEachCandidate) {
   ClosureRecord record;
   record.old_node = 1;
   record.node = 4;
-  record.way_m = 48.25;
+  record.path_length_m = 48.25;
   record.distance_m = 1.5;
   record.score = 0.75;
-  record.second_score = 0.5;
+  record.runner_up_score = 0.5;
   record.overlap = 0.625;
-  record.fit = 0.875;
-  record.mutual_fit = 0.75;
-  record.gate = 2.25;
+  record.inlier_ratio = 0.875;
+  record.mutual_inlier_ratio = 0.75;
+  record.mahalanobis_sq = 2.25;
   record.old_T_node = {-1.25, 0.5, 0.0625};
   record.source = loop_closure::Source::kFollowed;
   record.verdict = Verdict::kAccepted;
@@ -49,8 +49,9 @@ TEST(WriteClosures, WritesALineForEachCandidate) {
   std::ostringstream out;
   WriteClosures({record, refused}, Nodes(5), out);
   EXPECT_EQ(out.str(),
-            "old_node,node,old_stamp_s,stamp_s,way_m,distance_m,score,second_score,overlap,fit,"
-            "mutual_fit,gate,x_m,y_m,theta_rad,source,verdict\n"
+            "old_node,node,old_stamp_s,stamp_s,path_length_m,distance_m,score,runner_up_score,"
+            "overlap,inlier_ratio,"
+            "mutual_inlier_ratio,mahalanobis_sq,x_m,y_m,theta_rad,source,verdict\n"
             "1,4,1000000000.500000,1000000002.000000,48.250,1.500,0.750,0.500,0.625,0.875,0.750,"
             "2.250,-1.2500,0.5000,0.0625,followed,accepted\n"
             "0,3,1000000000.000000,1000000001.500000,0.000,0.000,0.000,0.000,0.000,0.000,0.000,"

@@ -67,7 +67,7 @@ TEST_F(GmappingSpaTour, GzippedLogGivesTheSameResult) {
 
 TEST_F(GmappingSpaTour, TrajectoryIsFarNearerToTheTruthThanDeadReckoning) {
   // Without updates after the first scan, all poses come from the wheels.
-  Run(folder_.path(), {"--odometry=wheel", "--nofinal_round", "--linear_update_m=1000",
+  Run(folder_.path(), {"--odometry=wheel", "--nofinal_optimization", "--linear_update_m=1000",
                        "--angular_update_rad=1000"});
   constexpr double kBoundM = 0.05;
   EXPECT_LT(ErrorM(Result()), kBoundM);
@@ -114,7 +114,7 @@ TEST_P(Switch, ChangesTheResultAndLeavesItGood) {
 INSTANTIATE_TEST_SUITE_P(
     GmappingSpa, Switch,
     ::testing::Values("--odometry=wheel", "--scan_matcher=hill_climbing", "--noloop_closure",
-                      "--nofinal_round", "--refine=0", "--refine=2", "--correction=pose",
+                      "--nofinal_optimization", "--refine=0", "--refine=2", "--correction=pose",
                       "--edge_information=hessian", "--edge_information=constant",
                       "--edge_measurement=particle", "--odometry=raw", "--match_start=draw",
                       "--motion_noise=scan", "--proposal=match", "--likelihood=nearest_hit"));

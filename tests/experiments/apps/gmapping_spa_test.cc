@@ -77,7 +77,7 @@ TEST_F(GmappingSpaTour, PictureIsAPngOfTheMap) {
   EXPECT_GT(png.size(), 2000u);
 }
 
-TEST_F(GmappingSpaTour, GraphHasANodePerUpdateAndEdgesBetweenNeighboursAndForClosures) {
+TEST_F(GmappingSpaTour, GraphHasANodePerUpdateAndEdgesBetweenNeighborsAndForClosures) {
   std::ifstream in(Result("graph.g2o"));
   const backend::PoseGraph graph = backend::ReadG2o(in, "graph.g2o");
   const Json record = ReadRunRecord(Result());

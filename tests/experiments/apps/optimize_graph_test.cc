@@ -118,7 +118,7 @@ TEST_F(OptimizeGraph, SaysInOneLineWhatIsWrong) {
 
 TEST_F(OptimizeGraph, LeavesNoOutputBehindAFailure) {
   const std::string output = folder_.Path("new/out.g2o");
-  ErrorOf({"--input=" + graph_, "--output=" + output, "--spa_max_rises=-1"});
+  ErrorOf({"--input=" + graph_, "--output=" + output, "--spa_max_nonmonotonic_steps=-1"});
   EXPECT_FALSE(std::filesystem::exists(folder_.Path("new")));
 }
 

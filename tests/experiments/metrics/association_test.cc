@@ -33,7 +33,7 @@ TEST(PoseAt, AnExactStampIsTakenAsItIs) {
   EXPECT_EQ(XAt(trajectory, 3, 0), 30);
 }
 
-TEST(PoseAt, InterpolatesBetweenNeighboursIfOneIsNear) {
+TEST(PoseAt, InterpolatesBetweenNeighborsIfOneIsNear) {
   const Trajectory trajectory = {{1, {10, 0, 0}}, {2, {20, 0, 0}}};
   EXPECT_NEAR(XAt(trajectory, 1.25, 0.3).value(), 12.5, 1e-12);
   EXPECT_NEAR(XAt(trajectory, 1.75, 0.3).value(), 17.5, 1e-12);

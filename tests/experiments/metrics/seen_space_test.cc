@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kRight = 0, kUp = 1, kLeft = 2, kDown = 3;  // of kSides
 
-// The centre of a cell.
+// The center of a cell.
 backend::StampedPose PoseIn(int column, int row) {
   return {0.0, {0.05 * (column + 0.5), 0.05 * (row + 0.5), 0.0}};
 }

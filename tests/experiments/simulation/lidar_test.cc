@@ -129,7 +129,7 @@ TEST(Lidar, SeesThePedestrianWhereItIsAtThatTime) {
     return Scan(scene, {time_s, {3.0, 2.0, 0.0}, {}, {}}, options, 1, 0)[2];
   };
   EXPECT_NEAR(ahead_m(0.0), 4.9, 1e-9);
-  EXPECT_NEAR(ahead_m(0.89), 4.9, 1e-9);  // not there before its front, 0.1 m ahead of its centre
+  EXPECT_NEAR(ahead_m(0.89), 4.9, 1e-9);  // not there before its front, 0.1 m ahead of its center
   EXPECT_NEAR(ahead_m(0.91), 1.8, 1e-9);
   EXPECT_NEAR(ahead_m(1.09), 1.8, 1e-9);
   EXPECT_NEAR(ahead_m(1.11), 4.9, 1e-9);

@@ -35,15 +35,15 @@ TEST(FindCandidates, FindsTheNearestNodeOfAnEarlierPass) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].old_node, 12);
   EXPECT_NEAR(found[0].distance_m, 0.5, 1e-9);
-  EXPECT_NEAR(found[0].way_m, 18 + std::hypot(30, 0.5) + 12, 1e-9);
+  EXPECT_NEAR(found[0].path_length_m, 18 + std::hypot(30, 0.5) + 12, 1e-9);
 }
 
 TEST(FindCandidates, LeavesOutWhatIsNearOnTheWay) {
   const std::vector<SE2> poses = Passes({0});
   EXPECT_TRUE(Find({}, poses, 30).empty());
   CandidateOptions near;
-  near.min_way_m = 2.0;
-  for (const Candidate& candidate : Find(near, poses, 30)) EXPECT_GE(candidate.way_m, 2.0);
+  near.min_path_length_m = 2.0;
+  for (const Candidate& candidate : Find(near, poses, 30)) EXPECT_GE(candidate.path_length_m, 2.0);
   EXPECT_FALSE(Find(near, poses, 30).empty());
 }
 

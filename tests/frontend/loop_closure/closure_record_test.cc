@@ -13,9 +13,9 @@ TEST(VerdictName, IsWhatTheFilesSay) {
   EXPECT_STREQ(VerdictName(Verdict::kAmbiguous), "ambiguous");
   EXPECT_STREQ(VerdictName(Verdict::kUnstable), "unstable");
   EXPECT_STREQ(VerdictName(Verdict::kOverlap), "overlap");
-  EXPECT_STREQ(VerdictName(Verdict::kFit), "fit");
+  EXPECT_STREQ(VerdictName(Verdict::kInlierRatio), "inlier_ratio");
   EXPECT_STREQ(VerdictName(Verdict::kSeenThrough), "seen_through");
-  EXPECT_STREQ(VerdictName(Verdict::kGate), "gate");
+  EXPECT_STREQ(VerdictName(Verdict::kMahalanobis), "mahalanobis");
   EXPECT_STREQ(VerdictName(Verdict::kUnconfirmed), "unconfirmed");
   EXPECT_STREQ(VerdictName(Verdict::kReleased), "released");
   EXPECT_STREQ(VerdictName(Verdict::kAccepted), "accepted");

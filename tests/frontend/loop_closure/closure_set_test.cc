@@ -28,7 +28,7 @@ class ClosureSets : public testing::Test {
       record.old_node = 10 + from + 2 * k;
       record.node = 110 + from + 2 * k;
       record.old_T_node = {0.0, off_m, 0.0};
-      record.gate = gate;
+      record.mahalanobis_sq = gate;
       records_.push_back(record);
       set.members.push_back(records_.size() - 1);
     }
@@ -46,7 +46,7 @@ class ClosureSets : public testing::Test {
   std::vector<ClosureRecord> records_;
   DrivenPath path_{poses_, ways_m_};
   ProofOptions options_{
-      .min_members = 4, .min_span_m = 12.0, .max_gate = 10.0, .min_per_contradiction = 3};
+      .min_members = 4, .min_span_m = 12.0, .max_mahalanobis_sq = 10.0, .min_per_contradiction = 3};
 };
 
 TEST_F(ClosureSets, AreProvenByEnoughMembersOverEnoughDriving) {
@@ -116,12 +116,12 @@ TEST_F(ClosureSets, ContradictOthersOfTheSameStretchOnly) {
 
 // In twin corridors each closure has a twin, a corridor's width off; the estimate tells them apart.
 TEST_F(ClosureSets, WhatDriftExplainsFarMoreEasilyIsLikelier) {
-  const auto has_rival = [this](double rival_gate, double off_m, int nodes_on, Verdict verdict,
-                                Source source) {
+  const auto has_rival = [this](double rival_mahalanobis_sq, double off_m, int nodes_on,
+                                Verdict verdict, Source source) {
     records_.clear();
     Closures(1, 11.0, 7.0);
     records_[0].verdict = Verdict::kUnconfirmed;
-    Closures(1, rival_gate, off_m, nodes_on);
+    Closures(1, rival_mahalanobis_sq, off_m, nodes_on);
     records_[1].verdict = verdict;
     records_[1].source = source;
     return HasLikelierRival(options_, path_, records_, records_[0]);

@@ -37,25 +37,25 @@ TEST(LargestConsistentSet, IsAsLargeAsTheBestOfAllSubsets) {
   std::mt19937 random(1);
   for (int round = 0; round < 30; ++round) {
     constexpr int kCount = 12;
-    std::uint32_t neighbours[kCount] = {};
+    std::uint32_t neighbors[kCount] = {};
     for (int i = 0; i < kCount; ++i) {
       for (int j = 0; j < i; ++j) {
-        if (random() % 10 < 6) neighbours[i] |= 1u << j, neighbours[j] |= 1u << i;
+        if (random() % 10 < 6) neighbors[i] |= 1u << j, neighbors[j] |= 1u << i;
       }
     }
     int largest = 0;
     for (std::uint32_t set = 0; set < 1u << kCount; ++set) {
       bool together = true;
       for (int i = 0; i < kCount && together; ++i) {
-        if (set >> i & 1) together = (set & ~neighbours[i]) == 1u << i;
+        if (set >> i & 1) together = (set & ~neighbors[i]) == 1u << i;
       }
       if (together) largest = std::max(largest, std::popcount(set));
     }
     const std::vector<int> found =
-        LargestConsistentSet(kCount, [&](int a, int b) { return (neighbours[a] >> b & 1) != 0; });
+        LargestConsistentSet(kCount, [&](int a, int b) { return (neighbors[a] >> b & 1) != 0; });
     EXPECT_THAT(found, SizeIs(largest));
     for (const int a : found) {
-      for (const int b : found) EXPECT_TRUE(a == b || (neighbours[a] >> b & 1) != 0);
+      for (const int b : found) EXPECT_TRUE(a == b || (neighbors[a] >> b & 1) != 0);
     }
   }
 }

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "frontend/map/scan_registration.h"
+#include "frontend/map/scan_insertion.h"
 #include "tests/frontend/synthetic_room.h"
 
 namespace gmapping_spa::loop_closure {
@@ -28,10 +28,10 @@ class LocalMap : public testing::Test {
 TEST(NodesAround, GoesSoFarOnThePathToEitherSide) {
   std::vector<SE2> poses;
   for (int k = 0; k < 20; ++k) poses.push_back({1.0 * k, 0, 0});
-  const auto expect = [&](int centre, double reach_m, int first, int last) {
-    const NodeRange range = NodesAround(poses, centre, reach_m);
-    EXPECT_EQ(range.first, first) << centre << ' ' << reach_m;
-    EXPECT_EQ(range.last, last) << centre << ' ' << reach_m;
+  const auto expect = [&](int center, double reach_m, int first, int last) {
+    const NodeRange range = NodesAround(poses, center, reach_m);
+    EXPECT_EQ(range.first, first) << center << ' ' << reach_m;
+    EXPECT_EQ(range.last, last) << center << ' ' << reach_m;
   };
   expect(10, 3.5, 7, 13);
   expect(10, 3.0, 7, 13);
@@ -42,7 +42,7 @@ TEST(NodesAround, GoesSoFarOnThePathToEitherSide) {
 }
 
 TEST(NodesAround, CountsTheWayAndNotTheDistance) {
-  // To and fro: after the turn the path comes near the centre again.
+  // To and fro: after the turn the path comes near the center again.
   std::vector<SE2> poses;
   for (const double x : {0, 1, 2, 3, 2, 1, 0}) poses.push_back({x, 0, 0});
   const NodeRange range = NodesAround(poses, 0, 4.0);
@@ -56,7 +56,7 @@ TEST_F(LocalMap, IsThatOfTheScansRegisteredInTheFrameOfTheReference) {
   const map::OccupancyGrid map = BuildLocalMap(poses_, scan_of_node_, nodes, reference, {});
   map::OccupancyGrid expected({});
   for (int node = nodes.first; node <= nodes.last; ++node) {
-    map::RegisterScan(ScanOf(node), Inverse(poses_[reference]) * poses_[node], {}, &expected);
+    map::InsertScan(ScanOf(node), Inverse(poses_[reference]) * poses_[node], {}, &expected);
   }
   int known = 0;
   for (int x = -250; x < 250; ++x) {

@@ -32,12 +32,12 @@ class LoopClosing : public testing::Test {
   }
 
   // The path up to so many metres, as the closer sees it on the way.
-  std::vector<SE2> PathUpTo(int way_m) const {
-    return {estimate_.begin(), estimate_.begin() + way_m + 1};
+  std::vector<SE2> PathUpTo(int path_length_m) const {
+    return {estimate_.begin(), estimate_.begin() + path_length_m + 1};
   }
 
-  int UpdateAt(int way_m, LoopCloser* closer) const {
-    return closer->Update(PathUpTo(way_m), scan_of_node_);
+  int UpdateAt(int path_length_m, LoopCloser* closer) const {
+    return closer->Update(PathUpTo(path_length_m), scan_of_node_);
   }
 
   // As in a run: with every node. Returns the number of accepted closures.
@@ -118,7 +118,8 @@ TEST_F(LoopClosing, WhatWasFoundInALargeWindowIsConfirmedFromFartherApart) {
   options.drift.m_per_m = 0.06;  // the window reaches 9 m and more
   options.search_everywhere = false;
   LoopCloser closer(options);
-  for (const int way_m : {60, 62, 64}) EXPECT_EQ(UpdateAt(way_m, &closer), 0) << way_m;
+  for (const int path_length_m : {60, 62, 64})
+    EXPECT_EQ(UpdateAt(path_length_m, &closer), 0) << path_length_m;
   const auto found = [&] {
     int count = 0;
     for (const ClosureRecord& record : closer.records()) {
@@ -128,7 +129,7 @@ TEST_F(LoopClosing, WhatWasFoundInALargeWindowIsConfirmedFromFartherApart) {
   };
   ASSERT_GE(found(), 2) << "that agree, but show the same";
   int accepted = 0;
-  for (const int way_m : {66, 68}) accepted += UpdateAt(way_m, &closer);
+  for (const int path_length_m : {66, 68}) accepted += UpdateAt(path_length_m, &closer);
   EXPECT_GE(accepted, 2);
 }
 
@@ -174,7 +175,7 @@ TEST_F(LoopClosing, LooksAtANodeAfterEachStretchOfTheWay) {
   Drive(66, {});
   LoopCloser::Options options = Options();
   options.attempt_every_m = 6.0;
-  options.candidates.min_way_m = 40.0;  // of one pass only
+  options.candidates.min_path_length_m = 40.0;  // of one pass only
   LoopCloser closer(options);
   UpdateWithEveryNode(&closer);
   std::vector<int> nodes;

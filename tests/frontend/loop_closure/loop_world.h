@@ -31,9 +31,9 @@ inline Walls Ring() {
   return walls;
 }
 
-// Where the middle line of the Ring is after `way_m` of driving from (3, 1.5), counter-clockwise;
-// corners are cut by 1 m, so that the heading turns on the way.
-inline backend::SE2 OnRing(double way_m) {
+// Where the middle line of the Ring is after `path_length_m` of driving from (3, 1.5),
+// counter-clockwise; corners are cut by 1 m, so that the heading turns on the way.
+inline backend::SE2 OnRing(double path_length_m) {
   struct Side {
     double from_x, from_y, length_m, theta;
   };
@@ -42,7 +42,7 @@ inline backend::SE2 OnRing(double way_m) {
                                     {16.5, 1.5, 9, kQuarter},
                                     {16.5, 10.5, 15, 2 * kQuarter},
                                     {1.5, 10.5, 9, 3 * kQuarter}};
-  double along_m = std::fmod(way_m + 1.5, 48.0);
+  double along_m = std::fmod(path_length_m + 1.5, 48.0);
   int side = 0;
   while (along_m >= kSides[side].length_m) along_m -= kSides[side++].length_m;
   const Side& at = kSides[side];
@@ -74,11 +74,11 @@ inline std::vector<backend::SE2> WithDrift(const std::vector<backend::SE2>& pose
   std::vector<backend::SE2> drifted = {start};
   for (std::size_t k = 1; k < poses.size(); ++k) {
     const backend::SE2 step = Between(poses[k - 1], poses[k]);
-    const double way_m = step.translation().norm();
+    const double path_length_m = step.translation().norm();
     drifted.push_back(drifted.back() *
                       backend::SE2{drift.scale * step.x,
-                                   drift.scale * step.y + drift.lateral_per_m * way_m,
-                                   step.theta + drift.rad_per_m * way_m});
+                                   drift.scale * step.y + drift.lateral_per_m * path_length_m,
+                                   step.theta + drift.rad_per_m * path_length_m});
   }
   return drifted;
 }

@@ -14,9 +14,9 @@ namespace {
 using backend::SE2;
 
 // What a laser that looks all round sees on the Ring, in its frame.
-std::vector<Eigen::Vector2d> SeenAt(double way_m, double turn_rad) {
+std::vector<Eigen::Vector2d> SeenAt(double path_length_m, double turn_rad) {
   const sensor::LaserScan scan =
-      synthetic::Scan(synthetic::Ring(), synthetic::OnRing(way_m) * SE2{0, 0, turn_rad},
+      synthetic::Scan(synthetic::Ring(), synthetic::OnRing(path_length_m) * SE2{0, 0, turn_rad},
                       {.beams = 721, .field_of_view_rad = 2.0 * std::numbers::pi});
   std::vector<Eigen::Vector2d> points;
   for (const sensor::Beam& beam : scan.beams) {
@@ -37,8 +37,9 @@ TEST(DescribePlace, DoesNotDependOnTheHeading) {
 TEST(DescribePlace, TellsPlacesApart) {
   const PlaceDescriptor place = DescribePlace(SeenAt(2.0, 0.0));
   const double same = Dissimilarity(place, DescribePlace(SeenAt(2.3, 2.0)));
-  for (const double way_m : {8.0, 15.0, 21.0, 32.0}) {
-    EXPECT_GT(Dissimilarity(place, DescribePlace(SeenAt(way_m, 0.0))), 1.5 * same) << way_m;
+  for (const double path_length_m : {8.0, 15.0, 21.0, 32.0}) {
+    EXPECT_GT(Dissimilarity(place, DescribePlace(SeenAt(path_length_m, 0.0))), 1.5 * same)
+        << path_length_m;
   }
 }
 

@@ -48,7 +48,7 @@ TEST_F(PlaceSearching, FindsAPlaceAgainAndHowItLies) {
   for (const PlaceMatch& match : matches) {
     const SE2 off = Between(Between(truth_[match.old_node], truth_.back()), match.old_T_node);
     right += off.translation().norm() < 0.5 && std::abs(off.theta) < 0.1 ? 1 : 0;
-    EXPECT_GE(match.score, match.second_score);
+    EXPECT_GE(match.score, match.runner_up_score);
   }
   EXPECT_GE(right, 1);
 }

@@ -27,15 +27,15 @@ class Verification : public testing::Test {
     scans_ = synthetic::ScansAt(truth_, walls, laser);
   }
 
-  // Of `node` after a way of `way_m` since `old_node`.
-  ClosureRecord Verify(int old_node, int node, double way_m,
+  // Of `node` after a way of `path_length_m` since `old_node`.
+  ClosureRecord Verify(int old_node, int node, double path_length_m,
                        const Verifier::Options& options = {}) const {
     // Not the default drift model, which may be tuned.
     const DriftModel drift{.floor_m = 0.1, .m_per_m = 0.01, .floor_rad = 0.01, .rad_per_m = 0.0005};
     const Verifier verifier(options, drift, CandidateOptions{});
     const double distance_m = Between(estimate_[old_node], estimate_[node]).translation().norm();
     return verifier.Verify(estimate_, [this](int k) { return scans_.at(k); }, node,
-                           {old_node, way_m, distance_m});
+                           {old_node, path_length_m, distance_m});
   }
 
   // Eleven nodes on the first side of the Ring, then eleven that pass 0.3 m beside them, 0.4 m
@@ -67,12 +67,12 @@ TEST_F(Verification, FindsTheRelativePoseInSpiteOfTheDrift) {
   EXPECT_LT(std::abs(off.theta), 0.5 * std::numbers::pi / 180);
   EXPECT_EQ(record.old_node, old_node);
   EXPECT_EQ(record.node, node);
-  EXPECT_EQ(record.way_m, 48.0);
-  EXPECT_GT(record.score, record.second_score);
+  EXPECT_EQ(record.path_length_m, 48.0);
+  EXPECT_GT(record.score, record.runner_up_score);
   EXPECT_GT(record.overlap, 0.5);
   EXPECT_LE(record.overlap, 1.0);
-  EXPECT_GT(record.fit, 0.6);
-  EXPECT_GT(record.gate, 0.1);
+  EXPECT_GT(record.inlier_ratio, 0.6);
+  EXPECT_GT(record.mahalanobis_sq, 0.1);
 }
 
 TEST_F(Verification, FollowsAPeakToBeyondTheWindow) {
@@ -100,8 +100,8 @@ TEST_F(Verification, InformationIsPositiveDefiniteAndNotOverconfident) {
 TEST_F(Verification, RefusesWhatTheUncertaintyDoesNotAllow) {
   DriveTwiceThroughTheRing(kDrift);
   Verifier::Options narrow;
-  narrow.max_gate = 0.5 * Verify(5, 11 + 5, 48.0).gate;
-  EXPECT_EQ(Verify(5, 11 + 5, 48.0, narrow).verdict, Verdict::kGate);
+  narrow.max_mahalanobis_sq = 0.5 * Verify(5, 11 + 5, 48.0).mahalanobis_sq;
+  EXPECT_EQ(Verify(5, 11 + 5, 48.0, narrow).verdict, Verdict::kMahalanobis);
 }
 
 TEST_F(Verification, OptionsDecideTheOtherVerdicts) {
@@ -113,7 +113,7 @@ TEST_F(Verification, OptionsDecideTheOtherVerdicts) {
   options.search.min_score = 0.999;
   EXPECT_EQ(verdict(options), Verdict::kNoMatch);
   options = {};
-  options.max_second_score = 0.1;
+  options.max_runner_up_score = 0.1;
   EXPECT_EQ(verdict(options), Verdict::kAmbiguous);
   options = {};
   options.max_shift_m = 0.0;
@@ -125,16 +125,16 @@ TEST_F(Verification, OptionsDecideTheOtherVerdicts) {
   options.min_overlap = 1.01;
   EXPECT_EQ(verdict(options), Verdict::kOverlap);
   options = {};
-  options.min_fit = 2.0;
-  EXPECT_EQ(verdict(options), Verdict::kFit);
+  options.min_inlier_ratio = 2.0;
+  EXPECT_EQ(verdict(options), Verdict::kInlierRatio);
 }
 
 TEST_F(Verification, AfterALongWayTheOldScansAreAskedAsWell) {
   DriveTwiceThroughTheRing(kDrift);
   EXPECT_EQ(Verify(5, 11 + 5, 400.0).verdict, Verdict::kUnconfirmed);
-  EXPECT_GT(Verify(5, 11 + 5, 400.0).mutual_fit, 0.9);
+  EXPECT_GT(Verify(5, 11 + 5, 400.0).mutual_inlier_ratio, 0.9);
   Verifier::Options strict;
-  strict.min_mutual_fit = 1.01;
+  strict.min_mutual_inlier_ratio = 1.01;
   EXPECT_EQ(Verify(5, 11 + 5, 400.0, strict).verdict, Verdict::kSeenThrough);
   // Where the estimate is good, it decides.
   EXPECT_EQ(Verify(5, 11 + 5, 48.0, strict).verdict, Verdict::kUnconfirmed);
@@ -146,7 +146,7 @@ TEST_F(Verification, ACorridorWithoutFeaturesIsAmbiguous) {
   Drive(pass, pass, {0.5, 0.1, 0}, synthetic::Corridor(0.0), {.usable_range_m = 8.0});
   const ClosureRecord record = Verify(6, 13 + 6, 60.0);
   EXPECT_EQ(record.verdict, Verdict::kAmbiguous) << VerdictName(record.verdict);
-  EXPECT_GT(record.second_score, 0.9 * record.score);
+  EXPECT_GT(record.runner_up_score, 0.9 * record.score);
 }
 
 TEST_F(Verification, RefusesAnotherPlaceThatIsTakenForTheOldOne) {

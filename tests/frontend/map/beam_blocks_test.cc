@@ -19,10 +19,10 @@ OccupancyGrid RandomGrid() {
   return grid;
 }
 
-// Hit means in the 3 x 3 neighbourhood, from the corner of the cell.
+// Hit means in the 3 x 3 neighborhood, from the corner of the cell.
 std::vector<float> Around(const CellBlock& block, CellIndex cell) {
   std::vector<float> means;
-  block.ForEachFullNeighbour(cell, 1, 0, [&](float x, float y) {
+  block.ForEachFullNeighbor(cell, 1, 0, [&](float x, float y) {
     means.push_back(x);
     means.push_back(y);
   });

@@ -33,7 +33,7 @@ OccupancyGrid RandomGrid(std::uint64_t seed, double density) {
   return grid;
 }
 
-bool IsFull(const OccupancyGrid& grid, CellIndex index) {
+bool IsOccupied(const OccupancyGrid& grid, CellIndex index) {
   const Cell& cell = grid.cell(index);
   return cell.hits > kFullThreshold * cell.visits;
 }
@@ -43,7 +43,7 @@ Points BruteForce(const OccupancyGrid& grid, CellIndex index, int dx, int dy) {
   for (int y = -1; y <= 1; ++y) {
     for (int x = -1; x <= 1; ++x) {
       const CellIndex at{index.x + x, index.y + y};
-      if (!IsFull(grid, at) || IsFull(grid, {at.x + dx, at.y + dy})) continue;
+      if (!IsOccupied(grid, at) || IsOccupied(grid, {at.x + dx, at.y + dy})) continue;
       const Cell& cell = grid.cell(at);
       points.emplace_back(static_cast<float>(x + cell.mean_x / 65536.0),
                           static_cast<float>(y + cell.mean_y / 65536.0));
@@ -56,24 +56,24 @@ TEST(CellBlock, FindsWhatTheGridHoldsInEveryDirection) {
   int found = 0, blocked = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const OccupancyGrid grid = RandomGrid(seed, 0.1 + 0.04 * static_cast<double>(seed));
-    for (const CellIndex centre : {CellIndex{0, 0}, {-3, 2}, {5, -6}, {-11, 11}, {2, 12}}) {
+    for (const CellIndex center : {CellIndex{0, 0}, {-3, 2}, {5, -6}, {-11, 11}, {2, 12}}) {
       CellBlock block;
-      block.CopyFrom(grid, centre);
-      ASSERT_TRUE(block.Covers(centre));
-      for (int y = centre.y - 4; y <= centre.y + 4; ++y) {
-        for (int x = centre.x - 4; x <= centre.x + 4; ++x) {
+      block.CopyFrom(grid, center);
+      ASSERT_TRUE(block.Covers(center));
+      for (int y = center.y - 4; y <= center.y + 4; ++y) {
+        for (int x = center.x - 4; x <= center.x + 4; ++x) {
           if (!block.Covers({x, y})) continue;
           for (int direction = 0; direction < 9; ++direction) {
             const int dx = direction % 3 - 1, dy = direction / 3 - 1;
             if (dx == 0 && dy == 0) continue;
             Points points;
-            block.ForEachFullNeighbour({x, y}, dx, dy,
-                                       [&](float mx, float my) { points.emplace_back(mx, my); });
+            block.ForEachFullNeighbor({x, y}, dx, dy,
+                                      [&](float mx, float my) { points.emplace_back(mx, my); });
             const Points expected = BruteForce(grid, {x, y}, dx, dy);
             ASSERT_THAT(points, testing::UnorderedElementsAreArray(expected))
                 << "seed " << seed << " at " << x << " " << y << " toward " << dx << " " << dy;
             found += !points.empty();
-            blocked += points.empty() && IsFull(grid, {x, y});
+            blocked += points.empty() && IsOccupied(grid, {x, y});
           }
         }
       }
@@ -83,16 +83,16 @@ TEST(CellBlock, FindsWhatTheGridHoldsInEveryDirection) {
   EXPECT_GT(blocked, 200);
 }
 
-// Of the three rows of a neighbourhood, four lanes each: whether the first three hold the hit mean
+// Of the three rows of a neighborhood, four lanes each: whether the first three hold the hit mean
 // of their cell where that is full, and all others are too far away for any weight but 0.
 void ExpectRows(const OccupancyGrid& grid, const CellBlock& block, CellIndex index, int* full) {
   constexpr float kNoWeight = 1e4f;  // in cells
   int y = -1;
-  block.ForEachRowOfNeighbours(index, [&](const Eigen::Array4f& xs, const Eigen::Array4f& ys) {
+  block.ForEachRowOfNeighbors(index, [&](const Eigen::Array4f& xs, const Eigen::Array4f& ys) {
     for (int lane = 0; lane < 4; ++lane) {
       const int x = lane - 1;
       const CellIndex at{index.x + x, index.y + y};
-      if (lane < 3 && IsFull(grid, at)) {
+      if (lane < 3 && IsOccupied(grid, at)) {
         ASSERT_EQ(xs[lane], static_cast<float>(x + grid.cell(at).mean_x / 65536.0));
         ASSERT_EQ(ys[lane], static_cast<float>(y + grid.cell(at).mean_y / 65536.0));
         ++*full;
@@ -106,15 +106,15 @@ void ExpectRows(const OccupancyGrid& grid, const CellBlock& block, CellIndex ind
   ASSERT_EQ(y, 2);
 }
 
-TEST(CellBlock, RowsOfNeighboursHoldTheFullCellsAndNothingElseNearby) {
+TEST(CellBlock, RowsOfNeighborsHoldTheFullCellsAndNothingElseNearby) {
   int full = 0, asked = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const OccupancyGrid grid = RandomGrid(seed, 0.1 + 0.04 * static_cast<double>(seed));
     CellBlock block;  // used again, so that what it held before must not show
-    for (const CellIndex centre : {CellIndex{0, 0}, {-3, 2}, {5, -6}, {-11, 11}, {2, 12}}) {
-      block.CopyFrom(grid, centre);
-      for (int y = centre.y - 4; y <= centre.y + 4; ++y) {
-        for (int x = centre.x - 4; x <= centre.x + 4; ++x) {
+    for (const CellIndex center : {CellIndex{0, 0}, {-3, 2}, {5, -6}, {-11, 11}, {2, 12}}) {
+      block.CopyFrom(grid, center);
+      for (int y = center.y - 4; y <= center.y + 4; ++y) {
+        for (int x = center.x - 4; x <= center.x + 4; ++x) {
           if (!block.Covers({x, y})) continue;
           ++asked;
           ExpectRows(grid, block, {x, y}, &full);
@@ -155,7 +155,7 @@ TEST(CellBlock, ForgetsTheBlockBefore) {
   block.CopyFrom(grid, {50, 50});
   EXPECT_FALSE(block.Covers({0, 0}));
   int found = 0;
-  block.ForEachFullNeighbour({50, 50}, 1, 0, [&](float, float) { ++found; });
+  block.ForEachFullNeighbor({50, 50}, 1, 0, [&](float, float) { ++found; });
   EXPECT_EQ(found, 0);
 }
 

@@ -23,7 +23,7 @@ bool Same(const OccupancyGrid& a, const OccupancyGrid& b, int size) {
   for (int y = -size; y < size; ++y) {
     for (int x = -size; x < size; ++x) {
       if (!SameCell(a.cell({x, y}), b.cell({x, y}))) return false;
-      if (a.FullBits({x, y}) != b.FullBits({x, y})) return false;
+      if (a.OccupiedBits({x, y}) != b.OccupiedBits({x, y})) return false;
     }
   }
   return true;
@@ -49,7 +49,7 @@ TEST(FloorToCell, IsFloorOnBothSidesOfZero) {
 TEST(OccupancyGrid, IsEmptyWhereNoBeamHasBeen) {
   OccupancyGrid grid = Empty();
   EXPECT_EQ(grid.cell({0, 0}).visits, 0);
-  EXPECT_EQ(grid.FullBits({-5, 7}), 0u);
+  EXPECT_EQ(grid.OccupiedBits({-5, 7}), 0u);
   EXPECT_EQ(grid.CountTiles(), 0u);
   EXPECT_TRUE(grid.KnownExtent().min == grid.KnownExtent().max);
   grid.AddHit(3.5, 4.5);
@@ -193,7 +193,7 @@ TEST(OccupancyGrid, FullBitsSayWhichCellsAreAboveTheThreshold) {
         const Cell& cell = grid.cell({x + bit, y});
         if (cell.hits > 0.25 * cell.visits) expected |= 1u << bit;
       }
-      ASSERT_EQ(grid.FullBits({x, y}), expected) << x << " " << y;
+      ASSERT_EQ(grid.OccupiedBits({x, y}), expected) << x << " " << y;
       full += static_cast<int>(expected & 1);
       known += grid.cell({x, y}).hits > 0;
     }

@@ -126,8 +126,8 @@ TEST(MapHistory, RegistersScansAsItWasTold) {
   grown.Grow(2);
   map::OccupancyGrid expected({.resolution_m = 0.1});
   for (const TrajectoryTree::Vertex& vertex : grown.tree.vertices()) {
-    map::RegisterScan(CorridorScan(vertex.step), vertex.world_T_robot, {.no_return_clears = true},
-                      &expected);
+    map::InsertScan(CorridorScan(vertex.step), vertex.world_T_robot, {.no_return_clears = true},
+                    &expected);
   }
   MapHistory history({}, {.resolution_m = 0.1}, {.no_return_clears = true});
   const Maps maps = history.Rebuild(grown.tree, grown.leaves, CorridorScan);

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "frontend/map/scan_registration.h"
+#include "frontend/map/scan_insertion.h"
 #include "frontend/particle_filter/particle_filter.h"
 #include "frontend/scan_matching/hill_climbing.h"
 #include "tests/frontend/particle_filter/same_map.h"
@@ -51,7 +51,7 @@ TEST_F(NewPiece, GoesOnFromTheGuess) {
 TEST_F(NewPiece, HoldsItsOwnScansOnly) {
   for (const Particle& particle : filter_->particles()) {
     map::OccupancyGrid fresh(options_.grid);
-    map::RegisterScan(ScanAt({-1, 1, 2}), particle.world_T_robot, options_.registration, &fresh);
+    map::InsertScan(ScanAt({-1, 1, 2}), particle.world_T_robot, options_.insertion, &fresh);
     EXPECT_TRUE(SameMap(particle.map, fresh));
   }
 }

@@ -114,7 +114,7 @@ TEST(ComputeProposal, MeanRecoversAPerturbedPoseToACentimetreAndAFifthOfADegree)
 }
 
 TEST(ComputeProposal, IsTheClosedFormOnAGaussianTarget) {
-  // Forty lonely cells, each hit in its centre, and a scan whose points are exactly there: the
+  // Forty lonely cells, each hit in its center, and a scan whose points are exactly there: the
   // log likelihood is a sum of squared distances, and the prior is Gaussian anyway.
   map::OccupancyGrid grid({.resolution_m = 0.05});
   ScanPoints points;
@@ -158,7 +158,7 @@ TEST(ComputeProposal, IsTheClosedFormOnAGaussianTarget) {
 }
 
 struct Moments {
-  Vector3d mean = Vector3d::Zero();  // relative to the centre
+  Vector3d mean = Vector3d::Zero();  // relative to the center
   Matrix3d covariance = Matrix3d::Zero();
   double log_integral = 0.0;
 };

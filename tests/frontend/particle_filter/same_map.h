@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "frontend/map/occupancy_grid.h"
-#include "frontend/map/scan_registration.h"
+#include "frontend/map/scan_insertion.h"
 #include "frontend/particle_filter/trajectory_tree.h"
 
 namespace gmapping_spa::particle_filter {
@@ -18,7 +18,7 @@ inline bool SameMap(const map::OccupancyGrid& a, const map::OccupancyGrid& b) {
       const map::Cell &u = a.cell({x, y}), &v = b.cell({x, y});
       if (u.hits != v.hits || u.visits != v.visits) return false;
       if (u.mean_x != v.mean_x || u.mean_y != v.mean_y) return false;
-      if (a.FullBits({x, y}) != b.FullBits({x, y})) return false;
+      if (a.OccupiedBits({x, y}) != b.OccupiedBits({x, y})) return false;
     }
   }
   return true;
@@ -36,7 +36,7 @@ map::OccupancyGrid MapFromScratch(const std::vector<backend::SE2>& path,
                                   const ScanOfStep& scan_of_step) {
   map::OccupancyGrid grid({});
   for (std::size_t step = 0; step < path.size(); ++step) {
-    map::RegisterScan(scan_of_step(static_cast<int>(step)), path[step], {}, &grid);
+    map::InsertScan(scan_of_step(static_cast<int>(step)), path[step], {}, &grid);
   }
   return grid;
 }

@@ -70,8 +70,8 @@ CorrelativeMatch BruteForce(const CorrelativeMatcher::Options& options, const Po
   match.found = match.score >= options.min_score;
   match.map_T_scan = {initial.x + best.x * step_m, initial.y + best.y * step_m,
                       initial.theta + best.angle * step_rad};
-  match.second_score = options.second_floor * match.score;
-  match.second_map_T_scan = match.map_T_scan;
+  match.runner_up_score = options.runner_up_floor * match.score;
+  match.runner_up_map_T_scan = match.map_T_scan;
   const Scored* second = nullptr;
   double weights = 0.0;
   for (const Scored& pose : all) {
@@ -80,7 +80,7 @@ CorrelativeMatch BruteForce(const CorrelativeMatcher::Options& options, const Po
                                  (pose.angle - best.angle) * step_rad);
     if (offset.head<2>().norm() > options.peak_separation_m + 1e-9 ||
         std::abs(offset.z()) > options.peak_separation_rad) {
-      if (score >= options.second_floor * match.score &&
+      if (score >= options.runner_up_floor * match.score &&
           (!second || pose.Order() < second->Order())) {
         second = &pose;
       }
@@ -92,9 +92,9 @@ CorrelativeMatch BruteForce(const CorrelativeMatcher::Options& options, const Po
     match.covariance += weight * offset * offset.transpose();
   }
   if (second) {
-    match.second_score = second->sum / full;
-    match.second_map_T_scan = {initial.x + second->x * step_m, initial.y + second->y * step_m,
-                               initial.theta + second->angle * step_rad};
+    match.runner_up_score = second->sum / full;
+    match.runner_up_map_T_scan = {initial.x + second->x * step_m, initial.y + second->y * step_m,
+                                  initial.theta + second->angle * step_rad};
   }
   match.covariance /= weights;
   match.covariance.diagonal() +=
@@ -115,7 +115,7 @@ TEST_P(CorrelativeMatcherOnRandomPoints, FindsWhatTryingAllPosesFinds) {
   options.field.sigma_m = 0.02 + 0.1 * random.Uniform();
   options.pyramid_levels = 1 + GetParam() % 6;
   options.min_score = 0.02;
-  options.second_floor = 0.1 + 0.6 * random.Uniform();
+  options.runner_up_floor = 0.1 + 0.6 * random.Uniform();
   options.peak_separation_m = 0.1 + 0.4 * random.Uniform();
   options.peak_separation_rad = 0.03 + 0.2 * random.Uniform();
   // Half of the scans fit so well that the search finds their pose before it looks elsewhere.
@@ -142,8 +142,8 @@ TEST_P(CorrelativeMatcherOnRandomPoints, FindsWhatTryingAllPosesFinds) {
   const SE2 difference = Between(expected.map_T_scan, match.map_T_scan);
   EXPECT_NEAR(difference.translation().norm(), 0.0, 1e-9);
   EXPECT_NEAR(difference.theta, 0.0, 1e-9);
-  EXPECT_DOUBLE_EQ(match.second_score, expected.second_score);
-  const SE2 second_off = Between(expected.second_map_T_scan, match.second_map_T_scan);
+  EXPECT_DOUBLE_EQ(match.runner_up_score, expected.runner_up_score);
+  const SE2 second_off = Between(expected.runner_up_map_T_scan, match.runner_up_map_T_scan);
   EXPECT_NEAR(second_off.translation().norm(), 0.0, 1e-9);
   EXPECT_NEAR(second_off.theta, 0.0, 1e-9);
   EXPECT_TRUE(match.covariance.isApprox(expected.covariance, 1e-9)) << match.covariance << "\n\n"
@@ -165,7 +165,7 @@ TEST(CorrelativeMatcher, RecoversALargeDisplacementInARoomToTheCellAndIsSureOfIt
   const SE2 error = Between(truth, match.map_T_scan);
   EXPECT_LT(error.translation().norm(), 0.05);
   EXPECT_LT(std::abs(error.theta), 1.0 * kDeg);
-  EXPECT_LT(match.second_score, 0.8 * match.score);
+  EXPECT_LT(match.runner_up_score, 0.8 * match.score);
   EXPECT_LT(std::sqrt(match.covariance.topLeftCorner<2, 2>().eigenvalues().real().maxCoeff()), 0.1);
   EXPECT_LT(std::sqrt(match.covariance(2, 2)), 2.0 * kDeg);
 }
@@ -188,7 +188,7 @@ TEST(CorrelativeMatcher, SaysThatAPositionAlongACorridorIsUncertainAndAmbiguous)
   const CorrelativeMatch match =
       matcher.Match(PointsSeen(corridor, truth, short_sighted), truth, {2.0, 10.0 * kDeg});
   ASSERT_TRUE(match.found);
-  EXPECT_GT(match.second_score, 0.97 * match.score);
+  EXPECT_GT(match.runner_up_score, 0.97 * match.score);
   const Eigen::Vector2d u(std::cos(direction), std::sin(direction)), v(-u.y(), u.x());
   const Eigen::Matrix2d covariance = match.covariance.topLeftCorner<2, 2>();
   EXPECT_GT(std::sqrt(u.dot(covariance * u)), 0.2);
@@ -202,23 +202,23 @@ TEST(CorrelativeMatcher, OfEquallyGoodPosesTakesThatNearestToTheInitialOne) {
     const CorrelativeMatch match = matcher.Match({{0.025, 0.025}}, {x, 0, 0}, {2.0, 0.0});
     ASSERT_TRUE(match.found);
     EXPECT_DOUBLE_EQ(match.score, 1.0);
-    EXPECT_DOUBLE_EQ(match.second_score, 1.0);
+    EXPECT_DOUBLE_EQ(match.runner_up_score, 1.0);
     EXPECT_GT(match.map_T_scan.x * x, 0.0);
     // The other place is the second one.
-    EXPECT_LT(match.second_map_T_scan.x * x, 0.0);
-    EXPECT_NEAR(std::abs(match.second_map_T_scan.x), 1.0, 0.06);
+    EXPECT_LT(match.runner_up_map_T_scan.x * x, 0.0);
+    EXPECT_NEAR(std::abs(match.runner_up_map_T_scan.x), 1.0, 0.06);
   }
 }
 
 TEST(CorrelativeMatcher, TheSecondPoseIsTheBestOneWhereNothingElseIsNearlyAsGood) {
   const Points points = PointsSeen(synthetic::Room(), {});
   CorrelativeMatcher::Options options;
-  options.second_floor = 0.95;
+  options.runner_up_floor = 0.95;
   const CorrelativeMatch match =
       CorrelativeMatcher(options, points).Match(points, {0.1, 0.1, 0.1}, {1.0, 0.5});
   ASSERT_TRUE(match.found);
-  EXPECT_DOUBLE_EQ(match.second_score, 0.95 * match.score);
-  EXPECT_TRUE((match.second_map_T_scan == match.map_T_scan));
+  EXPECT_DOUBLE_EQ(match.runner_up_score, 0.95 * match.score);
+  EXPECT_TRUE((match.runner_up_map_T_scan == match.map_T_scan));
 }
 
 TEST(CorrelativeMatcher, ARotationByAFullTurnIsNotASecondPeak) {
@@ -228,7 +228,7 @@ TEST(CorrelativeMatcher, ARotationByAFullTurnIsNotASecondPeak) {
       matcher.Match(points, {0, 0, std::numbers::pi}, {0.1, std::numbers::pi});
   ASSERT_TRUE(match.found);
   EXPECT_NEAR(backend::WrapAngle(match.map_T_scan.theta), 0.0, 0.01);
-  EXPECT_LT(match.second_score, 0.9 * match.score);
+  EXPECT_LT(match.runner_up_score, 0.9 * match.score);
 }
 
 TEST(CorrelativeMatcher, FindsAPoseInAWindowLargerThanTheField) {

@@ -18,7 +18,7 @@ using backend::SE2;
 
 constexpr double kFullThreshold = 0.1;  // the grid's default
 
-bool IsFull(const map::OccupancyGrid& grid, map::CellIndex index) {
+bool IsOccupied(const map::OccupancyGrid& grid, map::CellIndex index) {
   const map::Cell& cell = grid.cell(index);
   return cell.hits > kFullThreshold * cell.visits;
 }
@@ -39,8 +39,8 @@ std::optional<double> SquaredDistance(const map::OccupancyGrid& grid, const Scan
   std::optional<double> nearest;
   for (int at_x = x - 1; at_x <= x + 1; ++at_x) {
     for (int at_y = y - 1; at_y <= y + 1; ++at_y) {
-      if (!IsFull(grid, {at_x, at_y})) continue;
-      if (IsFull(grid, {at_x + step(back.x()), at_y + step(back.y())})) continue;
+      if (!IsOccupied(grid, {at_x, at_y})) continue;
+      if (IsOccupied(grid, {at_x + step(back.x()), at_y + step(back.y())})) continue;
       const map::Cell& cell = grid.cell({at_x, at_y});
       const Eigen::Vector2d mean((at_x + cell.mean_x / 65536.0) * resolution_m,
                                  (at_y + cell.mean_y / 65536.0) * resolution_m);
@@ -99,7 +99,7 @@ bool EndsInUnseenSpace(const map::OccupancyGrid& grid, const ScanPoint& point,
   };
   if (grid.cell(cell(0)).visits > 0) return false;
   for (int k = 1; k <= 12; ++k) {
-    if (IsFull(grid, cell(k))) return false;
+    if (IsOccupied(grid, cell(k))) return false;
   }
   return true;
 }
@@ -142,7 +142,7 @@ std::optional<double> SurfaceDistance(const map::OccupancyGrid& grid, const Scan
   Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
   for (int at_x = x - 1; at_x <= x + 1; ++at_x) {
     for (int at_y = y - 1; at_y <= y + 1; ++at_y) {
-      if (!IsFull(grid, {at_x, at_y})) continue;
+      if (!IsOccupied(grid, {at_x, at_y})) continue;
       const map::Cell& cell = grid.cell({at_x, at_y});
       const Eigen::Vector2d hit(at_x + cell.mean_x / 65536.0, at_y + cell.mean_y / 65536.0);
       const double weight = std::pow(std::max(0.0, 1.0 - (hit - end).squaredNorm() / 4.0), 2);

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "backend/counter_random.h"
-#include "frontend/map/scan_registration.h"
+#include "frontend/map/scan_insertion.h"
 #include "frontend/scan_matching/gauss_newton.h"
 #include "tests/frontend/room_map.h"
 
@@ -70,7 +70,7 @@ TEST_P(GaussNewtonInCorridor, NoisyRangesLeaveTheWayAlongItToThePrior) {
     map::OccupancyGrid grid({});
     for (int i = -10; i <= 10; ++i) {
       const SE2 pose = heading * SE2{0.5 * i, 0, 0};
-      map::RegisterScan(noisy(pose, beams), pose, {}, &grid);
+      map::InsertScan(noisy(pose, beams), pose, {}, &grid);
     }
     double sum = 0.0;
     for (int trial = 0; trial < 20; ++trial) {

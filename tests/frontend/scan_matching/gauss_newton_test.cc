@@ -21,7 +21,7 @@ constexpr double kDeg = std::numbers::pi / 180.0;
 
 const synthetic::Laser kLaser{.robot_T_laser = {0.25, -0.1, 0.3}};
 
-// As RoomMap, by a robot whose laser is not at its centre.
+// As RoomMap, by a robot whose laser is not at its center.
 map::OccupancyGrid OffsetLaserRoomMap() {
   std::vector<SE2> poses;
   for (int i = 0; i < 36; ++i) {

@@ -59,24 +59,24 @@ TEST(LocalSurface, OfALonelyHitIsThatPoint) {
 TEST(LocalSurface, IsTheGaussianOfTheHitMeansThatTheWindowWeighs) {
   backend::CounterRandom random(3, 0);
   for (int trial = 0; trial < 200; ++trial) {
-    // One hit a cell, in a third of them, so that its mean is known; beyond the neighbourhood, too.
+    // One hit a cell, in a third of them, so that its mean is known; beyond the neighborhood, too.
     map::OccupancyGrid grid({});
-    std::vector<Eigen::Vector2d> neighbours;
+    std::vector<Eigen::Vector2d> neighbors;
     const int corner = trial % 2 == 0 ? 0 : 31;  // in the middle of a tile and at the edge of one
     for (int y = -4; y <= 4; ++y) {
       for (int x = -4; x <= 4; ++x) {
         if (random.Uniform() > 0.33) continue;
         const Eigen::Vector2d hit(corner + x + random.Uniform(), corner + y + random.Uniform());
         grid.AddHit(hit.x(), hit.y());
-        if (std::abs(x) <= 1 && std::abs(y) <= 1) neighbours.push_back(hit);
+        if (std::abs(x) <= 1 && std::abs(y) <= 1) neighbors.push_back(hit);
       }
     }
-    if (neighbours.empty()) continue;
+    if (neighbors.empty()) continue;
     const Eigen::Vector2d point(corner + random.Uniform(), corner + random.Uniform());
     double sum = 0.0;
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
-    for (const Eigen::Vector2d& hit : neighbours) {
+    for (const Eigen::Vector2d& hit : neighbors) {
       const Eigen::Vector2d d = hit - point;
       const double weight = std::pow(std::max(0.0, 1.0 - d.squaredNorm() / 4.0), 2);
       sum += weight;

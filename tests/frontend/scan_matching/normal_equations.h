@@ -17,8 +17,8 @@
 
 namespace gmapping_spa::scan_matching {
 
-// The full cells (of the default threshold, 0.1) around a point, weighted by the window: mean and
-// covariance, in metres.
+// The occupied cells (of the default threshold, 0.1) around a point, weighted by the window: mean
+// and covariance, in metres.
 struct Surface {
   double weight = 0.0;
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();

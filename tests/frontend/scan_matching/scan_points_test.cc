@@ -153,7 +153,7 @@ TEST(Normals, DoNotReachOverAnEdge) {
   }
 }
 
-TEST(Normals, NeedBeamsThatAreNeighbours) {
+TEST(Normals, NeedBeamsThatAreNeighbors) {
   // Every second beam has no return: what is between the hits nobody knows.
   sensor::LaserScan scan = ScanOf(-0.3, RangesOfWall(2.0, 0.0, -0.3, 35));
   for (std::size_t i = 1; i < scan.beams.size(); i += 2) {
@@ -163,7 +163,7 @@ TEST(Normals, NeedBeamsThatAreNeighbours) {
 }
 
 TEST(Normals, AreNoneWhereAWallIsMetTooFlat) {
-  // 80 degrees off the normal: neighbouring end points are six times as far apart as across.
+  // 80 degrees off the normal: neighboring end points are six times as far apart as across.
   const double first_rad = 80 * kBeamStep;
   for (const ScanPoint& point :
        MakeScanPoints(ScanOf(first_rad, RangesOfWall(1.0, 0.0, first_rad, 6)))) {
@@ -194,7 +194,7 @@ TEST(Normals, VarianceIsThatOfNoisyRanges) {
 }
 
 TEST(Normals, AreSurerTheMoreOfAWallIsInReach) {
-  // A near wall has many beams in reach, a far one the neighbours only, which lie farther apart.
+  // A near wall has many beams in reach, a far one the neighbors only, which lie farther apart.
   const auto variance = [](double distance_m) {
     return MakeScanPoints(ScanOf(-0.2, RangesOfWall(distance_m, 0.0, -0.2, 24)))[12]
         .normal_variance;

@@ -67,7 +67,7 @@ TEST(TimeOrderedReader, ClockSetBackStartsAfreshAndLosesNothing) {
   EXPECT_EQ(result.counts.at("late_scans"), 1);
 }
 
-TEST(TimeOrderedReader, OneWrongStampInTheFutureDisturbsItsNeighboursOnly) {
+TEST(TimeOrderedReader, OneWrongStampInTheFutureDisturbsItsNeighborsOnly) {
   const Result result = Read({ScanWithOdometry(1), ScanWithOdometry(1e9), ScanWithOdometry(2),
                               ScanWithOdometry(4), ScanWithOdometry(3)});
   EXPECT_THAT(result.stamps_s, ElementsAre(1, 1e9, 2, 3, 4));

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "tests/frontend/lidar_odometry_drive.h"
 #include "tests/frontend/moving_laser.h"
-#include "tests/frontend/scan_odometry_drive.h"
 
 namespace gmapping_spa::frontend {
 namespace {
@@ -21,9 +21,9 @@ class SlowLaser : public testing::Test {
 
   // The heading at the end, less what was estimated.
   double TurnAndCompare(const std::optional<double>& known_sweep_s = std::nullopt) {
-    ScanOdometry::Options options;
+    LidarOdometry::Options options;
     options.sweep_duration_s = known_sweep_s;
-    ScanOdometry odometry(options);
+    LidarOdometry odometry(options);
     const synthetic::Laser laser{.beams = 361, .field_of_view_rad = 2.0 * std::numbers::pi};
     SE2 truth, estimate;
     for (int k = 0; k < 240; ++k) {

@@ -1,4 +1,4 @@
-#include "frontend/final_round.h"
+#include "frontend/final_optimization.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using backend::SE2;
 constexpr int kNodeEvery = 4;  // scans
 
 // A drive with perfect odometry whose nodes' poses are given, as a run of SLAM would have left it.
-class FinalRoundTest : public testing::Test {
+class FinalOptimizationTest : public testing::Test {
  protected:
   // `order[k]` is the position in the input of the k-th scan in the order of time.
   void Drive(const std::vector<SE2>& poses, const synthetic::Walls& walls,
@@ -64,21 +64,22 @@ class FinalRoundTest : public testing::Test {
     }
   }
 
-  static FinalRound::Options Refine(int rounds) {
-    FinalRound::Options options;
+  static FinalOptimization::Options Refine(int rounds) {
+    FinalOptimization::Options options;
     options.refine = rounds;
     return options;
   }
 
-  Estimate Finish(const FinalRound::Options& options, loop_closure::LoopCloser* closer = nullptr) {
-    FinalRound final_round(options, {.scans = &archive_,
-                                     .node_scans = &node_scans_,
-                                     .scan_poses = &scan_poses_,
-                                     .grid = {},
-                                     .registration = {},
-                                     .loop_closer = closer,
-                                     .optimize = optimize_});
-    return final_round.Finish(path_);
+  SlamResult Finish(const FinalOptimization::Options& options,
+                    loop_closure::LoopCloser* closer = nullptr) {
+    FinalOptimization final_optimization(options, {.scans = &archive_,
+                                                   .node_scans = &node_scans_,
+                                                   .scan_poses = &scan_poses_,
+                                                   .grid = {},
+                                                   .insertion = {},
+                                                   .loop_closer = closer,
+                                                   .optimize = optimize_});
+    return final_optimization.Finish(path_);
   }
 
   static double LargestError(const backend::Trajectory& trajectory, const std::vector<SE2>& truth) {
@@ -103,10 +104,10 @@ class FinalRoundTest : public testing::Test {
   };
 };
 
-TEST_F(FinalRoundTest, PosesStayWhenTheBackEndFails) {
+TEST_F(FinalOptimizationTest, PosesStayWhenTheBackEndFails) {
   DriveInTheRoom();
   Disturb(0.05, 0.01);
-  const Estimate estimate = Finish(Refine(0));
+  const SlamResult estimate = Finish(Refine(0));
   ASSERT_EQ(estimate.graph.nodes.size(), path_.nodes.size());
   for (std::size_t k = 0; k < path_.nodes.size(); ++k) {
     const SE2& pose = path_.nodes[k].world_T_node;
@@ -117,7 +118,7 @@ TEST_F(FinalRoundTest, PosesStayWhenTheBackEndFails) {
   EXPECT_EQ(asked_.size(), 1u);
 }
 
-TEST_F(FinalRoundTest, PosesAreThoseOfTheBackEnd) {
+TEST_F(FinalOptimizationTest, PosesAreThoseOfTheBackEnd) {
   DriveInTheRoom();
   Disturb(0.5, 0.1);
   optimize_ = [this](const PoseGraph& graph) -> std::optional<PoseGraph> {
@@ -131,11 +132,11 @@ TEST_F(FinalRoundTest, PosesAreThoseOfTheBackEnd) {
   EXPECT_LT(LargestError(Finish(Refine(0)).trajectory, truth_), 1e-9);
 }
 
-TEST_F(FinalRoundTest, RefiningBringsDisturbedScansBack) {
+TEST_F(FinalOptimizationTest, RefiningBringsDisturbedScansBack) {
   DriveInTheRoom();
   Disturb(0.04, 0.01);
   ASSERT_GT(LargestError(Finish(Refine(0)).trajectory, truth_), 0.05);
-  const Estimate estimate = Finish(Refine(1));
+  const SlamResult estimate = Finish(Refine(1));
   EXPECT_LT(LargestError(estimate.trajectory, truth_), 0.02);
   for (std::size_t k = 0; k < estimate.graph.nodes.size(); ++k) {
     EXPECT_EQ(estimate.graph.nodes[k].world_T_node,
@@ -143,7 +144,7 @@ TEST_F(FinalRoundTest, RefiningBringsDisturbedScansBack) {
   }
 }
 
-TEST_F(FinalRoundTest, FurtherRoundsGoOnFromRefinedPosesWhenTheBackEndFails) {
+TEST_F(FinalOptimizationTest, FurtherRoundsGoOnFromRefinedPosesWhenTheBackEndFails) {
   DriveInTheRoom();
   Disturb(0.05, 0.01);
   const double once_m = LargestError(Finish(Refine(1)).trajectory, truth_);
@@ -151,7 +152,7 @@ TEST_F(FinalRoundTest, FurtherRoundsGoOnFromRefinedPosesWhenTheBackEndFails) {
   EXPECT_LT(thrice_m, once_m);
 }
 
-TEST_F(FinalRoundTest, ScansThatWereLeftOutOfTheInputLeaveNoHoles) {
+TEST_F(FinalOptimizationTest, ScansThatWereLeftOutOfTheInputLeaveNoHoles) {
   std::vector<SE2> poses;
   std::vector<int> order;
   for (int k = 0; k < 40; ++k) {
@@ -159,31 +160,31 @@ TEST_F(FinalRoundTest, ScansThatWereLeftOutOfTheInputLeaveNoHoles) {
     order.push_back(1000 + 7 * k);
   }
   Drive(poses, synthetic::Room(), order);
-  const Estimate estimate = Finish(Refine(1));
+  const SlamResult estimate = Finish(Refine(1));
   ASSERT_EQ(estimate.trajectory.size(), poses.size());
   EXPECT_LT(LargestError(estimate.trajectory, truth_), 0.02);
 }
 
-TEST_F(FinalRoundTest, RefiningMovesNoScanFartherThanItMay) {
+TEST_F(FinalOptimizationTest, RefiningMovesNoScanFartherThanItMay) {
   DriveInTheRoom();
   Disturb(0.04, 0.01);
-  const Estimate as_it_was = Finish(Refine(0));
-  std::vector<FinalRound::Options> strict(3, Refine(1));
+  const SlamResult as_it_was = Finish(Refine(0));
+  std::vector<FinalOptimization::Options> strict(3, Refine(1));
   strict[0].max_shift_m = 1e-9;
   strict[1].max_shift_rad = 1e-9;
   strict[2].min_inliers = 1.01;
-  for (const FinalRound::Options& options : strict) {
-    const Estimate estimate = Finish(options);
+  for (const FinalOptimization::Options& options : strict) {
+    const SlamResult estimate = Finish(options);
     for (std::size_t k = 0; k < truth_.size(); ++k) {
       EXPECT_EQ(estimate.trajectory[k].world_T_robot, as_it_was.trajectory[k].world_T_robot);
     }
   }
 }
 
-TEST_F(FinalRoundTest, RefiningAlternatesWithTheBackEnd) {
+TEST_F(FinalOptimizationTest, RefiningAlternatesWithTheBackEnd) {
   DriveInTheRoom();
   Disturb(0.04, 0.01);
-  FinalRound::Options options = Refine(2);
+  FinalOptimization::Options options = Refine(2);
   options.refined_sigma_m = 0.1;
   options.refined_sigma_rad = 0.01;
   Finish(options);
@@ -197,7 +198,7 @@ TEST_F(FinalRoundTest, RefiningAlternatesWithTheBackEnd) {
   }
 }
 
-TEST_F(FinalRoundTest, TrajectoryIsInTheOrderOfTheInput) {
+TEST_F(FinalOptimizationTest, TrajectoryIsInTheOrderOfTheInput) {
   std::vector<SE2> poses;
   std::vector<int> order;
   for (int k = 0; k < 21; ++k) {
@@ -206,7 +207,7 @@ TEST_F(FinalRoundTest, TrajectoryIsInTheOrderOfTheInput) {
   }
   Drive(poses, synthetic::Room(), order);
   for (const int refine : {0, 1}) {
-    const Estimate estimate = Finish(Refine(refine));
+    const SlamResult estimate = Finish(Refine(refine));
     ASSERT_EQ(estimate.trajectory.size(), 21u);
     for (int k = 0; k < 21; ++k) {
       const backend::StampedPose& pose = estimate.trajectory[order[k]];
@@ -216,13 +217,13 @@ TEST_F(FinalRoundTest, TrajectoryIsInTheOrderOfTheInput) {
   }
 }
 
-TEST_F(FinalRoundTest, MapIsMadeOfAllScansAtTheFinalPoses) {
+TEST_F(FinalOptimizationTest, MapIsMadeOfAllScansAtTheFinalPoses) {
   DriveInTheRoom();
   Disturb(0.04, 0.01);
-  const Estimate estimate = Finish({});
+  const SlamResult estimate = Finish({});
   map::OccupancyGrid expected({});
   for (int k = 0; k < archive_.size(); ++k) {
-    map::RegisterScan(archive_.Get(k), estimate.trajectory[k].world_T_robot, {}, &expected);
+    map::InsertScan(archive_.Get(k), estimate.trajectory[k].world_T_robot, {}, &expected);
   }
   int known = 0;
   for (int x = -160; x < 160; ++x) {
@@ -235,12 +236,12 @@ TEST_F(FinalRoundTest, MapIsMadeOfAllScansAtTheFinalPoses) {
   EXPECT_GT(known, 10000);
 }
 
-TEST_F(FinalRoundTest, ClosesLoopsEverywhereUntilNothingIsFound) {
+TEST_F(FinalOptimizationTest, ClosesLoopsEverywhereUntilNothingIsFound) {
   Drive(synthetic::DriveOnRing(0, 60, 0.25), synthetic::Ring());
   loop_closure::LoopCloser closer({});
-  FinalRound::Options options = Refine(0);
+  FinalOptimization::Options options = Refine(0);
   options.closing_rounds = 5;
-  const Estimate estimate = Finish(options, &closer);
+  const SlamResult estimate = Finish(options, &closer);
   EXPECT_GE(closer.closures().size(), 2u);
   // Once before, and once after the round that found something; the next one finds nothing.
   EXPECT_EQ(asked_.size(), 2u);
@@ -249,7 +250,7 @@ TEST_F(FinalRoundTest, ClosesLoopsEverywhereUntilNothingIsFound) {
   EXPECT_EQ(estimate.graph.edges.size(), path_.edges.size() + closer.closures().size());
 }
 
-TEST_F(FinalRoundTest, LetsGoOfAClosureThatTheBackEndContradicts) {
+TEST_F(FinalOptimizationTest, LetsGoOfAClosureThatTheBackEndContradicts) {
   Drive(synthetic::DriveOnRing(0, 60, 0.25), synthetic::Ring());
   loop_closure::LoopCloser closer({});
   // A back end that holds a node 3 m off where its closures say.
@@ -263,9 +264,9 @@ TEST_F(FinalRoundTest, LetsGoOfAClosureThatTheBackEndContradicts) {
     }
     return optimized;
   };
-  FinalRound::Options options = Refine(0);
+  FinalOptimization::Options options = Refine(0);
   options.closing_rounds = 1;
-  const Estimate estimate = Finish(options, &closer);
+  const SlamResult estimate = Finish(options, &closer);
   ASSERT_GE(moved, 0);
   ASSERT_FALSE(closer.closures().empty());
   for (const backend::Edge& closure : closer.closures()) EXPECT_NE(closure.j, moved);
@@ -273,7 +274,7 @@ TEST_F(FinalRoundTest, LetsGoOfAClosureThatTheBackEndContradicts) {
   EXPECT_EQ(estimate.graph.edges.size(), path_.edges.size() + closer.closures().size());
 }
 
-TEST_F(FinalRoundTest, ABackEndThatMovesNothingContradictsNothing) {
+TEST_F(FinalOptimizationTest, ABackEndThatMovesNothingContradictsNothing) {
   Drive(synthetic::DriveOnRing(0, 60, 0.25), synthetic::Ring());
   for (backend::Node& node : path_.nodes) {
     if (node.id >= 45) node.world_T_node.x += 0.6;  // closures are far off their estimate
@@ -285,10 +286,10 @@ TEST_F(FinalRoundTest, ABackEndThatMovesNothingContradictsNothing) {
   EXPECT_GE(closer.closures().size(), 2u);
 }
 
-TEST_F(FinalRoundTest, NoClosingRoundsFindNothing) {
+TEST_F(FinalOptimizationTest, NoClosingRoundsFindNothing) {
   Drive(synthetic::DriveOnRing(0, 60, 0.25), synthetic::Ring());
   loop_closure::LoopCloser closer({});
-  FinalRound::Options options = Refine(0);
+  FinalOptimization::Options options = Refine(0);
   options.closing_rounds = 0;
   Finish(options, &closer);
   EXPECT_TRUE(closer.records().empty());

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
+#include "frontend/lidar_odometry.h"
 #include "frontend/scan_matching/seen_through.h"
-#include "frontend/scan_odometry.h"
 
 namespace gmapping_spa::frontend {
 
@@ -19,8 +19,8 @@ constexpr std::size_t kSearchBeams = 100;
 
 // The motions around which windows of this size are searched: each guess, and standing still, as
 // the robot may have been stopped. A window holds what is near its middle.
-std::vector<SE2> ScanOdometry::SearchCenters(const MotionPrior& prior,
-                                             const scan_matching::SearchWindow& window) {
+std::vector<SE2> LidarOdometry::SearchCenters(const MotionPrior& prior,
+                                              const scan_matching::SearchWindow& window) {
   std::vector<SE2> centers;
   const auto add = [&](const SE2& motion) {
     const bool is_held = std::any_of(centers.begin(), centers.end(), [&](const SE2& center) {
@@ -37,7 +37,7 @@ std::vector<SE2> ScanOdometry::SearchCenters(const MotionPrior& prior,
 
 // Far behind a wall all is unseen, which is no evidence: a pose from where beams have to pass
 // through walls to get there would look as good as one that fits.
-void ScanOdometry::CountBehindWalls(Match* match) const {
+void LidarOdometry::CountBehindWalls(Match* match) const {
   const double behind = std::min(
       match->evidence.unknown,
       scan_matching::CountSeenThrough(map_.grid(), points_, match->odom_T_robot).into_unseen);
@@ -46,8 +46,8 @@ void ScanOdometry::CountBehindWalls(Match* match) const {
 }
 
 // The best and the second best match of a window.
-std::vector<ScanOdometry::Match> ScanOdometry::Search(const SE2& center,
-                                                      const scan_matching::SearchWindow& window) {
+std::vector<LidarOdometry::Match> LidarOdometry::Search(const SE2& center,
+                                                        const scan_matching::SearchWindow& window) {
   std::vector<Eigen::Vector2d> positions;
   double reach_m = 1.0;
   const std::size_t stride = 1 + points_.size() / kSearchBeams;
@@ -58,7 +58,7 @@ std::vector<ScanOdometry::Match> ScanOdometry::Search(const SE2& center,
   }
   scan_matching::CorrelativeMatcher::Options search;
   search.min_score = 0.2;
-  search.second_floor = 0.8;
+  search.runner_up_floor = 0.8;
   search.peak_separation_m = 0.2;
   search.with_covariance = false;
   const scan_matching::CorrelativeMatch found =
@@ -67,8 +67,8 @@ std::vector<ScanOdometry::Match> ScanOdometry::Search(const SE2& center,
   if (!found.found) return matches;
   const MotionHypothesis weak{.motion = {}, .sigma_m = 0.1, .sigma_rad = 0.1};
   matches.push_back(Track(found.map_T_scan, weak));
-  if (found.second_map_T_scan != found.map_T_scan) {
-    matches.push_back(Track(found.second_map_T_scan, weak));
+  if (found.runner_up_map_T_scan != found.map_T_scan) {
+    matches.push_back(Track(found.runner_up_map_T_scan, weak));
   }
   return matches;
 }

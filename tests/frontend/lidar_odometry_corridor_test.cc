@@ -1,7 +1,7 @@
 // Places that leave a direction open, and scans of few beams: odometry without error is kept.
 #include <gtest/gtest.h>
 
-#include "tests/frontend/scan_odometry_drive.h"
+#include "tests/frontend/lidar_odometry_drive.h"
 
 namespace gmapping_spa::frontend {
 namespace {
@@ -16,7 +16,7 @@ double Way(int step) {
 
 // Along Corridor(direction) from x = 0, forwards or in reverse. `facing`: of the robot, relative to
 // the way it drives.
-class ScanOdometryInACorridor : public testing::TestWithParam<double> {
+class LidarOdometryInACorridor : public testing::TestWithParam<double> {
  protected:
   void DriveAlong(Drive* drive, double facing_rad, int steps) {
     const SE2 along{0, 0, GetParam()};
@@ -25,21 +25,21 @@ class ScanOdometryInACorridor : public testing::TestWithParam<double> {
     }
   }
 };
-INSTANTIATE_TEST_SUITE_P(Direction, ScanOdometryInACorridor, testing::Values(0.0, 0.35, -0.8));
+INSTANTIATE_TEST_SUITE_P(Direction, LidarOdometryInACorridor, testing::Values(0.0, 0.35, -0.8));
 
-TEST_P(ScanOdometryInACorridor, ExactWheelsAreKeptForwards) {
+TEST_P(LidarOdometryInACorridor, ExactWheelsAreKeptForwards) {
   Drive drive(synthetic::Corridor(GetParam()));
   DriveAlong(&drive, 0.0, 100);
   drive.ExpectIsWhereItIs(0.02, 0.01);
 }
 
-TEST_P(ScanOdometryInACorridor, ExactWheelsAreKeptInReverse) {
+TEST_P(LidarOdometryInACorridor, ExactWheelsAreKeptInReverse) {
   Drive drive(synthetic::Corridor(GetParam()));
   DriveAlong(&drive, std::numbers::pi, 100);
   drive.ExpectIsWhereItIs(0.02, 0.01);
 }
 
-TEST_P(ScanOdometryInACorridor, ExactWheelsAreKeptInReverseFromTheEndThatIsSeen) {
+TEST_P(LidarOdometryInACorridor, ExactWheelsAreKeptInReverseFromTheEndThatIsSeen) {
   synthetic::Walls walls = synthetic::Corridor(GetParam());
   const SE2 rotation{0, 0, GetParam()};
   walls.push_back({rotation * Eigen::Vector2d(-2, -1), rotation * Eigen::Vector2d(-2, 1)});
@@ -48,7 +48,7 @@ TEST_P(ScanOdometryInACorridor, ExactWheelsAreKeptInReverseFromTheEndThatIsSeen)
   drive.ExpectIsWhereItIs(0.02, 0.01);
 }
 
-TEST_P(ScanOdometryInACorridor, WheelsThatSlipAcrossItAreCorrected) {
+TEST_P(LidarOdometryInACorridor, WheelsThatSlipAcrossItAreCorrected) {
   Drive drive(synthetic::Corridor(GetParam()));
   const SE2 along{0, 0, GetParam()};
   for (int step = 0; step <= 60; ++step) {
@@ -59,7 +59,7 @@ TEST_P(ScanOdometryInACorridor, WheelsThatSlipAcrossItAreCorrected) {
   EXPECT_NEAR(Between(along, drive.world_T_estimate()).y, 0.0, 0.02);
 }
 
-TEST(ScanOdometryWithFewBeams, ExactWheelsAreKept) {
+TEST(LidarOdometryWithFewBeams, ExactWheelsAreKept) {
   // In a corridor with an end and niches.
   synthetic::Walls walls;
   synthetic::AddPolygon({{-2, -1}, {12, -1}, {12, 1}, {7, 1}, {7, 1.5}, {6, 1.5}, {6, 1}, {-2, 1}},

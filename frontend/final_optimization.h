@@ -1,6 +1,6 @@
 // The final estimate, when all scans are in.
-#ifndef GMAPPING_SPA_FRONTEND_FINAL_ROUND_H_
-#define GMAPPING_SPA_FRONTEND_FINAL_ROUND_H_
+#ifndef GMAPPING_SPA_FRONTEND_FINAL_OPTIMIZATION_H_
+#define GMAPPING_SPA_FRONTEND_FINAL_OPTIMIZATION_H_
 
 #include <cstdint>
 #include <functional>
@@ -8,18 +8,18 @@
 #include <vector>
 
 #include "backend/graph/pose_graph.h"
-#include "frontend/estimate.h"
 #include "frontend/loop_closure/loop_closer.h"
 #include "frontend/loop_closure/pieces.h"
 #include "frontend/map/occupancy_grid.h"
-#include "frontend/map/scan_registration.h"
+#include "frontend/map/scan_insertion.h"
 #include "frontend/scan_matching/gauss_newton.h"
 #include "frontend/scan_poses.h"
 #include "frontend/sensor/scan_archive.h"
+#include "frontend/slam_result.h"
 
 namespace gmapping_spa::frontend {
 
-class FinalRound {
+class FinalOptimization {
  public:
   struct Options {
     int closing_rounds = 2;  // of looking for closures everywhere, given what the last one found
@@ -39,13 +39,13 @@ class FinalRound {
     friend bool operator==(const Options&, const Options&) = default;
   };
 
-  // Everything that a run has gathered; all must outlive the FinalRound.
+  // Everything that a run has gathered; all must outlive the FinalOptimization.
   struct Run {
     const sensor::ScanArchive* scans;
     const std::vector<int>* node_scans;  // positions of the nodes' scans in the archive
     const ScanPoses* scan_poses;
     map::OccupancyGrid::Options grid;
-    map::RegistrationOptions registration;
+    map::InsertionOptions insertion;
     const loop_closure::Pieces* pieces = nullptr;  // null: the path is all one
     // Of each scan whether it fits nothing, and is not drawn; null: none.
     const std::vector<bool>* is_lost = nullptr;
@@ -54,18 +54,18 @@ class FinalRound {
     std::function<std::optional<backend::PoseGraph>(const backend::PoseGraph&)> optimize;
   };
 
-  FinalRound(const Options& options, Run run);
+  FinalOptimization(const Options& options, Run run);
 
   // Closes loops everywhere, optimizes, refines, and makes the map from all scans, those of the
   // largest pieces that are joined. `path` is the graph without closures.
-  Estimate Finish(backend::PoseGraph path);
+  SlamResult Finish(backend::PoseGraph path);
 
  private:
   std::vector<bool> DrawnScans(int nodes) const;
   bool Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
   void OptimizeAndReview(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
   void RefineScans(const std::vector<bool>& is_drawn, backend::Trajectory* trajectory) const;
-  void MeasureAnew(const backend::Trajectory& trajectory, backend::PoseGraph* path) const;
+  void UpdateOdometryEdges(const backend::Trajectory& trajectory, backend::PoseGraph* path) const;
   sensor::LaserScan ScanOfNode(int node) const { return run_.scans->Get((*run_.node_scans)[node]); }
   std::size_t RowOfNode(std::int64_t node) const { return rows_[run_.node_scans->at(node)]; }
   void Register(int position, const backend::Trajectory& trajectory, map::OccupancyGrid* map) const;
@@ -78,4 +78,4 @@ class FinalRound {
 
 }  // namespace gmapping_spa::frontend
 
-#endif  // GMAPPING_SPA_FRONTEND_FINAL_ROUND_H_
+#endif  // GMAPPING_SPA_FRONTEND_FINAL_OPTIMIZATION_H_

@@ -1,6 +1,6 @@
 // Odometry by matching every scan with what was seen on the last metres.
-#ifndef GMAPPING_SPA_FRONTEND_SCAN_ODOMETRY_H_
-#define GMAPPING_SPA_FRONTEND_SCAN_ODOMETRY_H_
+#ifndef GMAPPING_SPA_FRONTEND_LIDAR_ODOMETRY_H_
+#define GMAPPING_SPA_FRONTEND_LIDAR_ODOMETRY_H_
 
 #include <cstdint>
 #include <memory>
@@ -47,7 +47,7 @@ struct ScanMotion {
 // Matches scans with a local map of its own, in its own frame. A particle's map would hold the
 // robot to walls of long ago as soon as they are in reach, and tear the way there from the way on:
 // where the path returns, is for the loop closing to find.
-class ScanOdometry {
+class LidarOdometry {
  public:
   struct Options {
     scan_matching::GaussNewton::Options gauss_newton;
@@ -61,8 +61,8 @@ class ScanOdometry {
     std::optional<double> sweep_duration_s;
     // A scan is entered into the map after this much motion, one of few beams the sooner. The map
     // is given up for one of half that many scans when it holds so many.
-    double enter_m = 0.5;
-    double enter_rad = 0.3;
+    double insert_m = 0.5;
+    double insert_rad = 0.3;
     int map_scans = 80;
     // A match that fits less than this part of what recent scans did is looked into.
     double doubt_below = 0.85;
@@ -76,7 +76,7 @@ class ScanOdometry {
     friend bool operator==(const Options&, const Options&) = default;
   };
 
-  explicit ScanOdometry(const Options& options);
+  explicit LidarOdometry(const Options& options);
 
   // The motion since the scan before, given what the wheels say about it. Of the first scan: none.
   ScanMotion Advance(const sensor::LaserScan& scan, const sensor::OdometryCheck::Step& wheels);
@@ -117,7 +117,7 @@ class ScanOdometry {
   SlidingMap map_;
   scan_matching::ScanPoints points_;  // of the scan at hand
   backend::SE2 odom_T_robot_;
-  backend::SE2 odom_T_entered_;  // when a scan was last entered
+  backend::SE2 odom_T_inserted_;  // when a scan was last entered
   double stamp_s_ = 0.0;
   Eigen::Vector3d usual_motion_ = Eigen::Vector3d::Zero();  // a twist, running mean of few scans
   double usual_duration_s_ = 0.1;                           // running mean
@@ -128,7 +128,7 @@ class ScanOdometry {
   int scans_ = 0;           // seen
   int doubtful_scans_ = 0;  // in a row
   // Of a robot that is lost: what its scans say to each other.
-  std::unique_ptr<ScanOdometry> new_piece_;
+  std::unique_ptr<LidarOdometry> new_piece_;
   double new_piece_begin_s_ = 0.0;  // stamp of its first scan
   int new_piece_scans_ = 0;         // since then
   // Numbers of beams in all these scans, at where the robot would be if it were not lost.
@@ -138,4 +138,4 @@ class ScanOdometry {
 
 }  // namespace gmapping_spa::frontend
 
-#endif  // GMAPPING_SPA_FRONTEND_SCAN_ODOMETRY_H_
+#endif  // GMAPPING_SPA_FRONTEND_LIDAR_ODOMETRY_H_

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "tests/frontend/scan_odometry_drive.h"
+#include "tests/frontend/lidar_odometry_drive.h"
 
 namespace gmapping_spa::frontend {
 namespace {
@@ -35,19 +35,19 @@ void Cover(sensor::LaserScan* scan) {
   for (sensor::Beam& beam : scan->beams) beam.range_m = std::min(beam.range_m, 0.6);
 }
 
-TEST(ScanOdometryLost, ScansThatSeeThroughWallsBeginANewPieceAfterASecond) {
+TEST(LidarOdometryLost, ScansThatSeeThroughWallsBeginANewPieceAfterASecond) {
   Drive drive(synthetic::Room());
   const int scans = ScansUpToANewPiece(60, &drive, Enlarge);
   EXPECT_GE(scans, 10);
   EXPECT_LE(scans, 20);
 }
 
-TEST(ScanOdometryLost, WhatHidesTheWallsBeginsNoneForTenSeconds) {
+TEST(LidarOdometryLost, WhatHidesTheWallsBeginsNoneForTenSeconds) {
   Drive drive(synthetic::Room());
   EXPECT_EQ(ScansUpToANewPiece(90, &drive, Cover), 0);
 }
 
-TEST(ScanOdometryLost, MeanwhileThePoseIsThatOfTheWheelsAndTheMapStaysAsItWas) {
+TEST(LidarOdometryLost, MeanwhileThePoseIsThatOfTheWheelsAndTheMapStaysAsItWas) {
   Drive drive(synthetic::Room());
   ScansUpToANewPiece(20, &drive, Cover);
   drive.ExpectIsWhereItIs(0.05, 0.02);
@@ -56,7 +56,7 @@ TEST(ScanOdometryLost, MeanwhileThePoseIsThatOfTheWheelsAndTheMapStaysAsItWas) {
 }
 
 // Nine beams are too few for the robot to be lost by them.
-TEST(ScanOdometryLost, FewBeamsThatFitBadlyWaitForTheNextOnes) {
+TEST(LidarOdometryLost, FewBeamsThatFitBadlyWaitForTheNextOnes) {
   Drive drive(synthetic::Room(), {.beams = 9});
   for (int step = 0; step <= 80; ++step) drive.To(OnRound(step));
   for (int k = 1; k <= 4; ++k) {

@@ -1,4 +1,4 @@
-#include "frontend/final_round.h"
+#include "frontend/final_optimization.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace gmapping_spa::frontend {
 
 using backend::SE2;
 
-FinalRound::FinalRound(const Options& options, Run run)
+FinalOptimization::FinalOptimization(const Options& options, Run run)
     : options_(options), run_(std::move(run)), matcher_(options.gauss_newton, {}) {
   std::vector<int> positions(run_.scans->size());
   std::iota(positions.begin(), positions.end(), 0);
@@ -21,7 +21,7 @@ FinalRound::FinalRound(const Options& options, Run run)
   for (int row = 0; row < run_.scans->size(); ++row) rows_[positions[row]] = row;
 }
 
-Estimate FinalRound::Finish(backend::PoseGraph path) {
+SlamResult FinalOptimization::Finish(backend::PoseGraph path) {
   backend::PoseGraph graph = path;
   OptimizeAndReview(path, &graph);
   const auto scan_of_node = [this](int node) { return ScanOfNode(node); };
@@ -34,7 +34,7 @@ Estimate FinalRound::Finish(backend::PoseGraph path) {
   backend::Trajectory trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
   for (int round = 0; round < options_.refine; ++round) {
     if (round > 0) {
-      MeasureAnew(trajectory, &path);
+      UpdateOdometryEdges(trajectory, &path);
       Optimize(path, &graph);
       trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
     }
@@ -52,7 +52,7 @@ Estimate FinalRound::Finish(backend::PoseGraph path) {
 }
 
 // Of each scan whether it fits, and belongs to the largest pieces that are joined.
-std::vector<bool> FinalRound::DrawnScans(int nodes) const {
+std::vector<bool> FinalOptimization::DrawnScans(int nodes) const {
   std::vector<bool> is_drawn(run_.scans->size(), true);
   if (run_.pieces) {
     const std::vector<bool> largest = run_.pieces->Largest(
@@ -71,7 +71,7 @@ std::vector<bool> FinalRound::DrawnScans(int nodes) const {
 
 // Optimizes the path with all closures, from the poses that `graph` has. They stay when the back
 // end fails. Returns whether it moved them.
-bool FinalRound::Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const {
+bool FinalOptimization::Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const {
   graph->edges = path.edges;
   if (run_.loop_closer) {
     const std::vector<backend::Edge>& closures = run_.loop_closer->closures();
@@ -86,8 +86,8 @@ bool FinalRound::Optimize(const backend::PoseGraph& path, backend::PoseGraph* gr
 
 // Lets go of closures that the rest of the graph contradicts, until there are none. A back end that
 // moved nothing contradicts nothing.
-void FinalRound::OptimizeAndReview(const backend::PoseGraph& path,
-                                   backend::PoseGraph* graph) const {
+void FinalOptimization::OptimizeAndReview(const backend::PoseGraph& path,
+                                          backend::PoseGraph* graph) const {
   if (!Optimize(path, graph) || !run_.loop_closer) return;
   for (int round = 0; round < options_.review_rounds; ++round) {
     if (run_.loop_closer->Review(backend::PosesOf(*graph)) == 0) break;
@@ -97,8 +97,8 @@ void FinalRound::OptimizeAndReview(const backend::PoseGraph& path,
 
 // Aligns every scan with the map that the nodes' scans make: for the scans in between, a map made
 // of all others. That map is sharper than one of all scans, and made in a tenth of the time.
-void FinalRound::RefineScans(const std::vector<bool>& is_drawn,
-                             backend::Trajectory* trajectory) const {
+void FinalOptimization::RefineScans(const std::vector<bool>& is_drawn,
+                                    backend::Trajectory* trajectory) const {
   const double m = options_.unrefined_sigma_m, rad = options_.unrefined_sigma_rad;
   const Eigen::Matrix3d prior = Eigen::Array3d(m, m, rad).square().inverse().matrix().asDiagonal();
   map::OccupancyGrid map(run_.grid);
@@ -121,8 +121,8 @@ void FinalRound::RefineScans(const std::vector<bool>& is_drawn,
 }
 
 // Replaces what the edges of the path measure by what the refined scans say.
-void FinalRound::MeasureAnew(const backend::Trajectory& trajectory,
-                             backend::PoseGraph* path) const {
+void FinalOptimization::UpdateOdometryEdges(const backend::Trajectory& trajectory,
+                                            backend::PoseGraph* path) const {
   const double m = options_.refined_sigma_m, rad = options_.refined_sigma_rad;
   for (backend::Edge& edge : path->edges) {
     if (run_.pieces && run_.pieces->BeginsAt(static_cast<int>(edge.j))) continue;
@@ -132,10 +132,10 @@ void FinalRound::MeasureAnew(const backend::Trajectory& trajectory,
   }
 }
 
-void FinalRound::Register(int position, const backend::Trajectory& trajectory,
-                          map::OccupancyGrid* map) const {
-  map::RegisterScan(run_.scans->Get(position), trajectory[rows_[position]].world_T_robot,
-                    run_.registration, map);
+void FinalOptimization::Register(int position, const backend::Trajectory& trajectory,
+                                 map::OccupancyGrid* map) const {
+  map::InsertScan(run_.scans->Get(position), trajectory[rows_[position]].world_T_robot,
+                  run_.insertion, map);
 }
 
 }  // namespace gmapping_spa::frontend

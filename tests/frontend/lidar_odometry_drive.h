@@ -1,6 +1,6 @@
-// Drives through synthetic worlds by which scan odometry is tried out.
-#ifndef GMAPPING_SPA_TESTS_FRONTEND_SCAN_ODOMETRY_DRIVE_H_
-#define GMAPPING_SPA_TESTS_FRONTEND_SCAN_ODOMETRY_DRIVE_H_
+// Drives through synthetic worlds by which lidar odometry is tried out.
+#ifndef GMAPPING_SPA_TESTS_FRONTEND_LIDAR_ODOMETRY_DRIVE_H_
+#define GMAPPING_SPA_TESTS_FRONTEND_LIDAR_ODOMETRY_DRIVE_H_
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "backend/counter_random.h"
-#include "frontend/scan_odometry.h"
+#include "frontend/lidar_odometry.h"
 #include "tests/frontend/synthetic_room.h"
 
 namespace gmapping_spa::frontend {
@@ -35,11 +35,11 @@ inline void ExpectNear(const backend::SE2& found, const backend::SE2& expected, 
   EXPECT_LT(std::abs(off.theta), rad) << off.x << ' ' << off.y << ' ' << off.theta;
 }
 
-// A robot that takes ten scans a second, with a centimetre of noise, and its scan odometry.
+// A robot that takes ten scans a second, with a centimetre of noise, and its lidar odometry.
 class Drive {
  public:
   explicit Drive(synthetic::Walls walls, const synthetic::Laser& laser = {},
-                 const ScanOdometry::Options& options = {})
+                 const LidarOdometry::Options& options = {})
       : walls_(std::move(walls)), laser_(laser), odometry_(options) {}
 
   sensor::LaserScan ScanAt(const backend::SE2& world_T_robot) {
@@ -81,7 +81,7 @@ class Drive {
  private:
   synthetic::Walls walls_;
   synthetic::Laser laser_;
-  ScanOdometry odometry_;
+  LidarOdometry odometry_;
   backend::CounterRandom random_{3, 0};
   double stamp_s_ = 1000.0;
   bool started_ = false;
@@ -91,4 +91,4 @@ class Drive {
 
 }  // namespace gmapping_spa::frontend
 
-#endif  // GMAPPING_SPA_TESTS_FRONTEND_SCAN_ODOMETRY_DRIVE_H_
+#endif  // GMAPPING_SPA_TESTS_FRONTEND_LIDAR_ODOMETRY_DRIVE_H_

@@ -3,8 +3,8 @@
 #include <optional>
 #include <utility>
 
+#include "frontend/lidar_odometry.h"
 #include "frontend/scan_matching/seen_through.h"
-#include "frontend/scan_odometry.h"
 
 namespace gmapping_spa::frontend {
 
@@ -28,7 +28,7 @@ constexpr double kBeamsToBeElsewhere = 100.0;
 
 // A place that changes, or a bad scan, explains less than usual; another place explains next to
 // nothing. Who is lost believes to be back no sooner than a scan fits nearly as well as usual.
-bool ScanOdometry::IsLost(const Match& match) const {
+bool LidarOdometry::IsLost(const Match& match) const {
   const scan_matching::Evidence& e = match.evidence;
   if (new_piece_) return e.known() < kBeamsToBeLost || e.Fit() < kBackAbove * usual_fit_;
   return usual_fit_ * e.known() - e.explained > kBeamsToBeLost && e.Fit() < kLostBelow * usual_fit_;
@@ -36,15 +36,15 @@ bool ScanOdometry::IsLost(const Match& match) const {
 
 // Fits badly by too few beams for the robot to be lost. Whether the scan is where it seems to be,
 // the next ones show; until then it is not to be a part of the map that they are matched with.
-bool ScanOdometry::IsDoubtful(const Match& match) const {
+bool LidarOdometry::IsDoubtful(const Match& match) const {
   const scan_matching::Evidence& e = match.evidence;
   return usual_fit_ * e.known() - e.explained > kBeamsInDoubt && e.Fit() < kLostBelow * usual_fit_;
 }
 
 // The map stays as it is, for the case that the robot is seen to be where the wheels say.
-ScanMotion ScanOdometry::GoOnLost(const Match& best, const sensor::LaserScan& scan,
-                                  const sensor::OdometryCheck::Step& wheels,
-                                  const std::optional<WheelMotion>& guess) {
+ScanMotion LidarOdometry::GoOnLost(const Match& best, const sensor::LaserScan& scan,
+                                   const sensor::OdometryCheck::Step& wheels,
+                                   const std::optional<WheelMotion>& guess) {
   ScanMotion result;
   result.matched = false;
   if (guess) result.motion = guess->motion;
@@ -53,7 +53,7 @@ ScanMotion ScanOdometry::GoOnLost(const Match& best, const sensor::LaserScan& sc
     // A covered laser fits itself however the robot moves: the wheels go first.
     if (!guess) result.motion = found.motion;
   } else {
-    new_piece_ = std::make_unique<ScanOdometry>(options_);
+    new_piece_ = std::make_unique<LidarOdometry>(options_);
     new_piece_->scans_ = scans_;
     new_piece_->usual_motion_ = usual_motion_;
     new_piece_->usual_duration_s_ = usual_duration_s_;
@@ -75,7 +75,7 @@ ScanMotion ScanOdometry::GoOnLost(const Match& best, const sensor::LaserScan& sc
           (is_elsewhere ? options_.new_piece_s : options_.new_piece_if_hidden_s)) {
     result.matched = true;
     result.new_piece_scans = new_piece_scans_;
-    const std::unique_ptr<ScanOdometry> piece = std::move(new_piece_);
+    const std::unique_ptr<LidarOdometry> piece = std::move(new_piece_);
     *this = std::move(*piece);
     return result;
   }

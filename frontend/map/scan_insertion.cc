@@ -1,11 +1,11 @@
-#include "frontend/map/scan_registration.h"
+#include "frontend/map/scan_insertion.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace gmapping_spa::map {
-void RegisterScan(const sensor::LaserScan& scan, const backend::SE2& world_T_robot,
-                  const RegistrationOptions& options, OccupancyGrid* grid) {
+void InsertScan(const sensor::LaserScan& scan, const backend::SE2& world_T_robot,
+                const InsertionOptions& options, OccupancyGrid* grid) {
   const backend::SE2 world_T_laser = world_T_robot * scan.robot_T_laser;
   const double cells_per_m = 1.0 / grid->resolution_m();
   const double x = world_T_laser.x * cells_per_m, y = world_T_laser.y * cells_per_m;

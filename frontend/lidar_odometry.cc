@@ -1,4 +1,4 @@
-#include "frontend/scan_odometry.h"
+#include "frontend/lidar_odometry.h"
 
 #include <glog/logging.h>
 
@@ -69,7 +69,7 @@ bool IsSame(const SE2& a, const SE2& b) {
 
 }  // namespace
 
-ScanOdometry::ScanOdometry(const Options& options)
+LidarOdometry::LidarOdometry(const Options& options)
     : options_(options),
       matcher_(options.gauss_newton, options.endpoint),
       map_(
@@ -81,11 +81,11 @@ ScanOdometry::ScanOdometry(const Options& options)
           options.map_scans),
       sweep_(options.grid, options.gauss_newton, options.sweep_duration_s) {}
 
-ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
-                                 const sensor::OdometryCheck::Step& wheels) {
+ScanMotion LidarOdometry::Advance(const sensor::LaserScan& scan,
+                                  const sensor::OdometryCheck::Step& wheels) {
   ++new_piece_scans_;
   if (map_.empty()) {
-    map_.Enter(scan, odom_T_robot_);
+    map_.Insert(scan, odom_T_robot_);
     stamp_s_ = scan.stamp_s;
     return {};
   }
@@ -174,31 +174,31 @@ ScanMotion ScanOdometry::Advance(const sensor::LaserScan& scan,
     map_.Clear();
     usual_unknown_ = 1.0;
   }
-  const SE2 since_entered = Between(odom_T_entered_, odom_T_robot_);
-  const bool moved_on = since_entered.translation().norm() > density * options_.enter_m ||
-                        std::abs(since_entered.theta) > density * options_.enter_rad;
+  const SE2 since_inserted = Between(odom_T_inserted_, odom_T_robot_);
+  const bool moved_on = since_inserted.translation().norm() > density * options_.insert_m ||
+                        std::abs(since_inserted.theta) > density * options_.insert_rad;
   if (map_.empty() || (moved_on && result.matched && !is_ambiguous)) {
-    odom_T_entered_ = odom_T_robot_;
-    map_.Enter(Deskewed(scan, result.velocity), odom_T_robot_);
+    odom_T_inserted_ = odom_T_robot_;
+    map_.Insert(Deskewed(scan, result.velocity), odom_T_robot_);
   }
   return result;
 }
 
 // Loggers may stamp scans when they write them, several at once: times are taken with a pinch of
 // salt.
-double ScanOdometry::DurationRatio(double duration_s) const {
+double LidarOdometry::DurationRatio(double duration_s) const {
   return std::clamp(duration_s / usual_duration_s_, 1.0 / kMaxRatio, kMaxRatio);
 }
 
-MotionPrior ScanOdometry::MakePrior(const std::optional<WheelMotion>& wheels,
-                                    double duration_s) const {
+MotionPrior LidarOdometry::MakePrior(const std::optional<WheelMotion>& wheels,
+                                     double duration_s) const {
   return {options_.prior, wheels, backend::Exp(DurationRatio(duration_s) * usual_motion_),
           std::max(duration_s, usual_duration_s_)};
 }
 
 // Fuses the scan with the guess.
-ScanOdometry::Match ScanOdometry::Track(const SE2& initial,
-                                        const MotionHypothesis& hypothesis) const {
+LidarOdometry::Match LidarOdometry::Track(const SE2& initial,
+                                          const MotionHypothesis& hypothesis) const {
   Match match;
   match.odom_T_robot =
       matcher_.Align(map_.grid(), points_, initial, hypothesis.Information()).world_T_robot;
@@ -209,7 +209,7 @@ ScanOdometry::Match ScanOdometry::Track(const SE2& initial,
 
 // Whether the match fits about as well as usual in what has been seen before, and agrees with all
 // guesses about the motion.
-bool ScanOdometry::IsConvincing(const Match& match, const MotionPrior& prior) const {
+bool LidarOdometry::IsConvincing(const Match& match, const MotionPrior& prior) const {
   const double missing =
       match.evidence.known() * options_.doubt_below * usual_fit_ - match.evidence.explained;
   if (missing > kFewBeams * usual_fit_) return false;
@@ -221,7 +221,7 @@ bool ScanOdometry::IsConvincing(const Match& match, const MotionPrior& prior) co
 }
 
 // A beam says so many nats for a pose as it fits better than usual; in unseen space, none.
-double ScanOdometry::Nats(const Match& match, double least_unknown) const {
+double LidarOdometry::Nats(const Match& match, double least_unknown) const {
   const scan_matching::Evidence& e = match.evidence;
   const double free_unknown =
       std::max(least_unknown, usual_unknown_ * e.all()) + kFreeUnknown * e.all();
@@ -230,7 +230,7 @@ double ScanOdometry::Nats(const Match& match, double least_unknown) const {
 }
 
 // Sorts by the posterior and leaves out what is the same.
-void ScanOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) const {
+void LidarOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) const {
   double least_unknown = 1e9;
   for (const Match& match : *matches) {
     least_unknown = std::min(least_unknown, match.evidence.unknown);
@@ -253,7 +253,7 @@ void ScanOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) c
   *matches = std::move(different);
 }
 
-void ScanOdometry::Learn(const Match& match, double duration_s) {
+void LidarOdometry::Learn(const Match& match, double duration_s) {
   ++scans_;
   if (match.evidence.known() > 0.0) {
     usual_fit_ += kForgetting * (match.evidence.Fit() - usual_fit_);

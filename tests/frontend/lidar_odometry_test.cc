@@ -1,8 +1,8 @@
-#include "frontend/scan_odometry.h"
+#include "frontend/lidar_odometry.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/frontend/scan_odometry_drive.h"
+#include "tests/frontend/lidar_odometry_drive.h"
 
 namespace gmapping_spa::frontend {
 namespace {
@@ -11,7 +11,7 @@ using backend::SE2;
 using sensor::BeamStatus;
 using sensor::OdometryFault;
 
-TEST(ScanOdometry, TheFirstScanIsNoMotion) {
+TEST(LidarOdometry, TheFirstScanIsNoMotion) {
   Drive drive(synthetic::Room());
   const ScanMotion motion = drive.To({1, 0, 0.3}, {{1, 2, 3}});
   EXPECT_TRUE((motion.motion == SE2{}));
@@ -19,7 +19,7 @@ TEST(ScanOdometry, TheFirstScanIsNoMotion) {
   EXPECT_FALSE(motion.searched);
 }
 
-TEST(ScanOdometry, FindsTheMotionInSpiteOfWheelsThatSlip) {
+TEST(LidarOdometry, FindsTheMotionInSpiteOfWheelsThatSlip) {
   const SE2 slip{0.02, 0.005, 0.01};
   Drive drive(synthetic::Room());
   SE2 wheels = OnRound(0);
@@ -31,7 +31,7 @@ TEST(ScanOdometry, FindsTheMotionInSpiteOfWheelsThatSlip) {
   drive.ExpectIsWhereItIs(0.03, 0.01);
 }
 
-TEST(ScanOdometry, SaysNothingWhereAllIsWell) {
+TEST(LidarOdometry, SaysNothingWhereAllIsWell) {
   Drive drive(synthetic::Room());
   for (int step = 0; step <= 80; ++step) {
     const ScanMotion motion = drive.To(OnRound(step));
@@ -42,7 +42,7 @@ TEST(ScanOdometry, SaysNothingWhereAllIsWell) {
   }
 }
 
-TEST(ScanOdometry, HonoursThePlaceOfTheLaserOnTheRobot) {
+TEST(LidarOdometry, HonoursThePlaceOfTheLaserOnTheRobot) {
   Drive drive(synthetic::Room(), {.robot_T_laser = {0.4, -0.1, 0.3}});
   for (int step = 0; step <= 80; ++step) {
     drive.To(OnRound(step), {StepOfRound(step) * SE2{0.01, 0.005, 0.01}});
@@ -50,8 +50,8 @@ TEST(ScanOdometry, HonoursThePlaceOfTheLaserOnTheRobot) {
   drive.ExpectIsWhereItIs(0.03, 0.01);
 }
 
-TEST(ScanOdometry, ForgetsOldMapsWithoutAJump) {
-  ScanOdometry::Options options;
+TEST(LidarOdometry, ForgetsOldMapsWithoutAJump) {
+  LidarOdometry::Options options;
   options.map_scans = 4;  // a new map after every second scan entered
   Drive drive(synthetic::Room(), {}, options);
   for (int step = 0; step <= 160; ++step) {
@@ -60,7 +60,7 @@ TEST(ScanOdometry, ForgetsOldMapsWithoutAJump) {
   }
 }
 
-TEST(ScanOdometry, ScansWithoutAHitFollowTheWheels) {
+TEST(LidarOdometry, ScansWithoutAHitFollowTheWheels) {
   Drive drive(synthetic::Room());
   for (int step = 0; step <= 40; ++step) drive.To(OnRound(step));
   for (const SE2 wheels : {SE2{0.1, 0, 0.05}, SE2{0.3, 0.1, -0.2}, SE2{}}) {
@@ -69,7 +69,7 @@ TEST(ScanOdometry, ScansWithoutAHitFollowTheWheels) {
   }
 }
 
-TEST(ScanOdometry, ScansWithoutAHitAndWithoutWheelsGoOnAtTheSameVelocity) {
+TEST(LidarOdometry, ScansWithoutAHitAndWithoutWheelsGoOnAtTheSameVelocity) {
   Drive drive(synthetic::Room());
   for (int step = 0; step <= 40; ++step) drive.To(OnRound(step));
   for (int step = 41; step <= 45; ++step) {
@@ -80,7 +80,7 @@ TEST(ScanOdometry, ScansWithoutAHitAndWithoutWheelsGoOnAtTheSameVelocity) {
   drive.ExpectIsWhereItIs(0.05, 0.02);
 }
 
-TEST(ScanOdometry, GoesOnAfterScansWithoutAHit) {
+TEST(LidarOdometry, GoesOnAfterScansWithoutAHit) {
   Drive drive(synthetic::Room());
   for (int step = 0; step <= 40; ++step) drive.To(OnRound(step));
   for (int step = 41; step <= 44; ++step) drive.Take({}, OnRound(step), {StepOfRound(step)});
@@ -90,7 +90,7 @@ TEST(ScanOdometry, GoesOnAfterScansWithoutAHit) {
   drive.ExpectIsWhereItIs(0.03, 0.01);
 }
 
-TEST(ScanOdometry, ACoveredLaserLeavesThePoseToTheWheels) {
+TEST(LidarOdometry, ACoveredLaserLeavesThePoseToTheWheels) {
   sensor::LaserScan covered;
   for (int i = 0; i < 181; ++i) {
     covered.beams.push_back({(i - 90) * kDeg, 0.15, BeamStatus::kHit});
@@ -106,7 +106,7 @@ TEST(ScanOdometry, ACoveredLaserLeavesThePoseToTheWheels) {
   drive.ExpectIsWhereItIs(0.03, 0.01);
 }
 
-TEST(ScanOdometry, TheScanOfARepetitionIsNotLookedAt) {
+TEST(LidarOdometry, TheScanOfARepetitionIsNotLookedAt) {
   Drive drive(synthetic::Room());
   for (int step = 0; step <= 40; ++step) drive.To(OnRound(step));
   const sensor::LaserScan frozen = drive.ScanAt(OnRound(40));
@@ -120,7 +120,7 @@ TEST(ScanOdometry, TheScanOfARepetitionIsNotLookedAt) {
   drive.ExpectIsWhereItIs(0.03, 0.01);
 }
 
-TEST(ScanOdometry, PlacesThatFitAlikeComeBackAsAlternatives) {
+TEST(LidarOdometry, PlacesThatFitAlikeComeBackAsAlternatives) {
   // Niches every half metre, of which the laser sees the same wherever it stands.
   std::vector<Eigen::Vector2d> comb;
   for (int i = -60; i < 60; ++i) {

@@ -1,6 +1,6 @@
 // What SLAM is after.
-#ifndef GMAPPING_SPA_FRONTEND_ESTIMATE_H_
-#define GMAPPING_SPA_FRONTEND_ESTIMATE_H_
+#ifndef GMAPPING_SPA_FRONTEND_SLAM_RESULT_H_
+#define GMAPPING_SPA_FRONTEND_SLAM_RESULT_H_
 
 #include "backend/graph/pose_graph.h"
 #include "backend/graph/trajectory_io.h"
@@ -8,7 +8,7 @@
 
 namespace gmapping_spa::frontend {
 
-struct Estimate {
+struct SlamResult {
   backend::PoseGraph graph;        // a node for every update of the filter
   backend::Trajectory trajectory;  // poses of all scans in the order of the input
   map::OccupancyGrid map;
@@ -16,4 +16,4 @@ struct Estimate {
 
 }  // namespace gmapping_spa::frontend
 
-#endif  // GMAPPING_SPA_FRONTEND_ESTIMATE_H_
+#endif  // GMAPPING_SPA_FRONTEND_SLAM_RESULT_H_

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "tests/frontend/scan_odometry_drive.h"
+#include "tests/frontend/lidar_odometry_drive.h"
 
 namespace gmapping_spa::frontend {
 namespace {
@@ -18,7 +18,7 @@ synthetic::Walls Square() {
 }
 
 // Between two scans the robot turns back, and the wheels are off by more than alignment makes good.
-TEST(ScanOdometrySearch, ATurnBetweenTwoScansIsFoundNearWhatTheWheelsSay) {
+TEST(LidarOdometrySearch, ATurnBetweenTwoScansIsFoundNearWhatTheWheelsSay) {
   for (const double turn_rad : {-2.9, -2.2, 2.2, 2.9}) {
     SCOPED_TRACE(turn_rad);
     Drive drive(Square(), {.field_of_view_rad = std::numbers::pi});
@@ -29,7 +29,7 @@ TEST(ScanOdometrySearch, ATurnBetweenTwoScansIsFoundNearWhatTheWheelsSay) {
   }
 }
 
-TEST(ScanOdometrySearch, AStepThatTheWheelsMissIsFound) {
+TEST(LidarOdometrySearch, AStepThatTheWheelsMissIsFound) {
   Drive drive(synthetic::Room());
   for (int step = 0; step <= 80; ++step) drive.To(OnRound(step));
   const ScanMotion motion = drive.To(drive.world_T_robot() * SE2{0.4, 0.1, 0.6}, {StepOfRound(1)});
@@ -38,7 +38,7 @@ TEST(ScanOdometrySearch, AStepThatTheWheelsMissIsFound) {
   drive.ExpectIsWhereItIs(0.03, 0.02);
 }
 
-TEST(ScanOdometrySearch, NothingIsSearchedWhereTheGuessesDo) {
+TEST(LidarOdometrySearch, NothingIsSearchedWhereTheGuessesDo) {
   Drive drive(synthetic::Room());
   for (int step = 0; step <= 80; ++step) EXPECT_FALSE(drive.To(OnRound(step)).searched) << step;
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "tests/frontend/scan_odometry_drive.h"
+#include "tests/frontend/lidar_odometry_drive.h"
 
 namespace gmapping_spa::frontend {
 namespace {
@@ -13,7 +13,7 @@ using sensor::OdometryFault;
 
 constexpr Wheels kSilent{{}, OdometryFault::kUnchanged};
 
-class ScanOdometryWithWheels : public testing::Test {
+class LidarOdometryWithWheels : public testing::Test {
  protected:
   // Steps up to that one, with exact wheels.
   void DriveUpTo(int last) {
@@ -37,7 +37,7 @@ class ScanOdometryWithWheels : public testing::Test {
   int step_ = 0;
 };
 
-TEST_F(ScanOdometryWithWheels, AJumpOfTheHeadingIsRejected) {
+TEST_F(LidarOdometryWithWheels, AJumpOfTheHeadingIsRejected) {
   DriveUpTo(30);
   for (const double jump_deg : {15.0, -20.0, 30.0, -40.0, 50.0, -60.0, 60.0}) {
     const SE2 truth = NextStep();
@@ -49,7 +49,7 @@ TEST_F(ScanOdometryWithWheels, AJumpOfTheHeadingIsRejected) {
   ExpectIsWhereItIs();
 }
 
-TEST_F(ScanOdometryWithWheels, AJumpOfHalfAMetreIsRejected) {
+TEST_F(LidarOdometryWithWheels, AJumpOfHalfAMetreIsRejected) {
   DriveUpTo(30);
   for (const SE2 jump : {SE2{0.5, 0, 0}, SE2{-0.5, 0, 0.5}, SE2{0.1, 0.5, -0.5}, SE2{0, -0.5, 0}}) {
     const SE2 truth = NextStep();
@@ -61,7 +61,7 @@ TEST_F(ScanOdometryWithWheels, AJumpOfHalfAMetreIsRejected) {
   ExpectIsWhereItIs();
 }
 
-TEST_F(ScanOdometryWithWheels, JumpsOfScanAfterScanAreRejected) {
+TEST_F(LidarOdometryWithWheels, JumpsOfScanAfterScanAreRejected) {
   DriveUpTo(30);
   for (const SE2 jump : {SE2{0.25, 0, 0.3}, SE2{-0.2, 0.2, -0.3}, SE2{0, -0.25, 0.35}}) {
     Step({NextStep() * jump});
@@ -69,13 +69,13 @@ TEST_F(ScanOdometryWithWheels, JumpsOfScanAfterScanAreRejected) {
   ExpectIsWhereItIs();
 }
 
-TEST_F(ScanOdometryWithWheels, SilentFromTheStartAreNotBelieved) {
+TEST_F(LidarOdometryWithWheels, SilentFromTheStartAreNotBelieved) {
   Step({});
   for (int step = 1; step <= 160; ++step) Step(kSilent);
   ExpectIsWhereItIs();
 }
 
-TEST_F(ScanOdometryWithWheels, SilentFromTheMiddleAreNotBelieved) {
+TEST_F(LidarOdometryWithWheels, SilentFromTheMiddleAreNotBelieved) {
   DriveUpTo(40);
   int said_so = 0;
   while (step_ <= 160) said_so += Step(kSilent).wheels_silent ? 1 : 0;
@@ -83,7 +83,7 @@ TEST_F(ScanOdometryWithWheels, SilentFromTheMiddleAreNotBelieved) {
   EXPECT_GT(said_so, 100);
 }
 
-TEST_F(ScanOdometryWithWheels, SilentForAWhileAreBelievedAfterwards) {
+TEST_F(LidarOdometryWithWheels, SilentForAWhileAreBelievedAfterwards) {
   DriveUpTo(40);
   while (step_ <= 80) Step(kSilent);
   int rejected = 0;
@@ -96,7 +96,7 @@ TEST_F(ScanOdometryWithWheels, SilentForAWhileAreBelievedAfterwards) {
   ExpectIsWhereItIs();
 }
 
-TEST_F(ScanOdometryWithWheels, StandingStillIsNoSilence) {
+TEST_F(LidarOdometryWithWheels, StandingStillIsNoSilence) {
   DriveUpTo(40);
   for (int i = 0; i < 30; ++i) {
     const ScanMotion motion = drive_.To(OnRound(40), kSilent);
@@ -106,7 +106,7 @@ TEST_F(ScanOdometryWithWheels, StandingStillIsNoSilence) {
   drive_.ExpectIsWhereItIs(0.02, 0.01);
 }
 
-TEST_F(ScanOdometryWithWheels, ThatSayNothingForFourScansAndThenAllAtOnceDoNoHarm) {
+TEST_F(LidarOdometryWithWheels, ThatSayNothingForFourScansAndThenAllAtOnceDoNoHarm) {
   DriveUpTo(30);
   for (int time = 0; time < 5; ++time) {
     SE2 held_back;
@@ -121,7 +121,7 @@ TEST_F(ScanOdometryWithWheels, ThatSayNothingForFourScansAndThenAllAtOnceDoNoHar
   ExpectIsWhereItIs();
 }
 
-TEST_F(ScanOdometryWithWheels, ThatAreTwoScansLateDoNoHarm) {
+TEST_F(LidarOdometryWithWheels, ThatAreTwoScansLateDoNoHarm) {
   // A robot that stops, turns and goes on again: only then does a delay matter.
   const auto pose = [](int step) {
     const double t = 0.1 * step;
@@ -134,7 +134,7 @@ TEST_F(ScanOdometryWithWheels, ThatAreTwoScansLateDoNoHarm) {
   ExpectIsWhereItIs();
 }
 
-TEST_F(ScanOdometryWithWheels, ARestartDoesNoHarm) {
+TEST_F(LidarOdometryWithWheels, ARestartDoesNoHarm) {
   DriveUpTo(30);
   Step({{}, OdometryFault::kRestart});
   DriveUpTo(60);
@@ -143,7 +143,7 @@ TEST_F(ScanOdometryWithWheels, ARestartDoesNoHarm) {
   ExpectIsWhereItIs();
 }
 
-TEST_F(ScanOdometryWithWheels, AreNotNeeded) {
+TEST_F(LidarOdometryWithWheels, AreNotNeeded) {
   Step({});
   while (step_ <= 160) Step({{}, OdometryFault::kMissing});
   ExpectIsWhereItIs();
