@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "experiments/apps/flag_files.h"
+#include "experiments/apps/renamed_flags.h"
 
 namespace gmapping_spa::apps {
 namespace {
@@ -47,6 +48,7 @@ std::vector<std::string> TakeFlagFiles(std::vector<char*>* words) {
     } else if (!flags_end && flag == "flagfile" && k + 1 < words->size()) {
       files.emplace_back((*words)[++k]);
     } else {
+      if (!flags_end && k > 0) RefuseFormerName("command line", flag);
       others.push_back((*words)[k]);
     }
   }

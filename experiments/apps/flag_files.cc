@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiments/apps/renamed_flags.h"
+
 namespace gmapping_spa::apps {
 namespace {
 
@@ -70,6 +72,7 @@ class Reader {
       line = Trimmed(line);
       if (line.empty() || line[0] == '#') continue;
       const std::string here = path + ":" + std::to_string(number);
+      RefuseFormerName(here, WithoutDashes(line));
       const std::optional<NameAndValue> flag = Parse(WithoutDashes(line));
       if (!flag) {
         throw std::runtime_error(
