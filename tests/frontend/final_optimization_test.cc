@@ -41,7 +41,7 @@ class FinalOptimizationTest : public testing::Test {
           path_.edges.push_back(edge);
         }
       }
-      archive_.Add(scans[k]);
+      archive_.Add(scans[k], Eigen::Vector3d::Zero());
       scan_poses_.Add(scans[k], poses[k], 1.0, is_node);
     }
   }
