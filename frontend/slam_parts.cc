@@ -139,7 +139,7 @@ loop_closure::LoopCloser::Options CloserOptions(const SlamOptions& options) {
   closer.verifier.search.min_score = options.closure_min_score;
   closer.verifier.max_runner_up_score = options.closure_max_runner_up_score;
   closer.verifier.min_overlap = options.closure_min_overlap;
-  closer.verifier.min_fit = options.closure_min_inlier_ratio;
+  closer.verifier.min_inlier_ratio = options.closure_min_inlier_ratio;
   closer.verifier.information_gain = options.closure_information_gain;
   return closer;
 }

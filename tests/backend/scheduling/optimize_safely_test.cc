@@ -81,7 +81,7 @@ TEST(OptimizeSafely, RejectsWorsePoses) {
       "poses that cost");
 }
 
-TEST(OptimizeSafely, RejectsMovingAHeldNode) {
+TEST(OptimizeSafely, RejectsMovingAFixedNode) {
   ExpectContained(
       [](std::span<Node> nodes) {
         // The whole graph moves, at the same cost.
