@@ -11,7 +11,7 @@ cd "$(dirname "$0")/.."
 case ${1:-} in
   --all) mapfile -t files < <(find backend experiments frontend plugins -name '*.cc') ;;
   --since) mapfile -t files < <(git diff --name-only --diff-filter=d "$2" -- '*.cc' ':!tests') ;;
-  "") mapfile -t files < <(find backend -name '*.cc' -not -path '*/solver/*') ;;
+  "") mapfile -t files < <(find backend -name '*.cc' -not -path 'backend/spa*') ;;
   *) files=("$@") ;;
 esac
 if [[ ${#files[@]} -eq 0 ]]; then

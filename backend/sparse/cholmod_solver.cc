@@ -2,7 +2,7 @@
 
 #include <suitesparse/cholmod.h>
 
-#include <cstring>
+#include <algorithm>
 #include <new>
 
 namespace gmapping_spa::spa {
@@ -85,15 +85,15 @@ bool CholmodSolver::Solve(const BlockStructure& structure, const BlockMatrix& ma
     if (w.common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
     return false;
   }
-  const std::size_t bytes = x->size() * sizeof(BlockVector<3>);
+  const std::size_t numbers = 3 * x->size();
   cholmod_dense* right =
       cholmod_allocate_dense(w.matrix->nrow, 1, w.matrix->nrow, CHOLMOD_REAL, &w.common);
   if (right == nullptr) throw std::bad_alloc();
-  std::memcpy(right->x, x->data(), bytes);
+  std::copy_n(x->data()->data(), numbers, static_cast<double*>(right->x));
   cholmod_dense* solution = cholmod_solve(CHOLMOD_A, w.factor, right, &w.common);
   cholmod_free_dense(&right, &w.common);
   if (solution == nullptr) throw std::bad_alloc();
-  std::memcpy(static_cast<void*>(x->data()), solution->x, bytes);
+  std::copy_n(static_cast<const double*>(solution->x), numbers, x->data()->data());
   cholmod_free_dense(&solution, &w.common);
   return true;
 }

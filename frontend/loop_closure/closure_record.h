@@ -46,8 +46,8 @@ struct ClosureRecord {
                               // outside of the known part count as well
   double mutual_inlier_ratio = 0.0;  // the same the other way round: of the old scans in the new
                                      // map. Not taken of candidates that are near
-  double mahalanobis_sq = 0.0;  // squared Mahalanobis distance from the pose expected
-  backend::SE2 old_T_node;      // measured
+  double mahalanobis_sq = 0.0;       // squared Mahalanobis distance from the pose expected
+  backend::SE2 old_T_node;           // measured
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of old_T_node, as of backend::Edge
   Source source = Source::kNear;
   Verdict verdict = Verdict::kNoMatch;
