@@ -88,7 +88,7 @@ TEST(OptimizeSafely, RejectsMovingAFixedNode) {
         for (Node& node : nodes) node.world_T_node = SE2{1, 2, 3} * node.world_T_node;
         return Converged();
       },
-      "held");
+      "fixed");
 }
 
 TEST(OptimizeSafely, RejectsChangingMoreThanPoses) {
