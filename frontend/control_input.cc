@@ -112,8 +112,9 @@ void ControlInput::ReportSweep(double stamp_s) {
   has_reported_sweep_ = true;
   health_->Report("scans_deskewed", stamp_s,
                   "scans bend while the robot turns, as those of a laser that takes about " +
-                      std::to_string(std::lround(1e3 * sweep_s())) +
-                      " ms for a scan; they are deskewed from here on, all of them in the end");
+                      std::to_string(std::lround(1e3 * std::abs(sweep_s()))) + " ms for a scan" +
+                      (sweep_s() < 0.0 ? ", the last beam first" : "") +
+                      "; they are deskewed from here on, all of them in the end");
 }
 
 void ControlInput::ReportUnmatched(const ScanMotion& motion, const OdometryCheck::Step& wheels,

@@ -66,7 +66,7 @@ DEFINE_string(
     sweep_duration_s, "auto",
     "Time from the first beam of a scan to the last one, s, from -1 to 1, by which scans of a "
     "moving robot are deskewed; negative: the first beam is measured last; 0: all at once; auto: "
-    "learned from how scans bend when the robot turns. Without effect on --odometry=raw.");
+    "learned from how scans bend when the robot turns. Not for --odometry=raw.");
 DEFINE_string(scan_matcher, NameOf(kScanMatcher, kSlam.scan_matcher),
               "Scan matcher of the particles: hill_climbing or gauss_newton.");
 DEFINE_string(match_start, NameOf(kMatchStart, kSlam.match_start),

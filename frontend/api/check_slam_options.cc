@@ -79,6 +79,10 @@ void CheckGraph(const SlamOptions& o) {
 
 // Limits are wide, but such that no value can overflow a cell index or ask for endless work.
 void CheckSlamOptions(const SlamOptions& options) {
+  if (options.odometry == SlamOptions::Odometry::kRaw && options.sweep_duration_s) {
+    throw std::invalid_argument(
+        "sweep_duration_s: expected none with raw odometry, which deskews no scan");
+  }
   CheckFilter(options);
   CheckMatching(options);
   CheckGraph(options);

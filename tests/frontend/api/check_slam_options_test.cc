@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -35,6 +36,14 @@ TEST(CheckSlamOptions, RefusesWhatIsNoNumber) {
   options = {};
   options.sweep_duration_s = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(ErrorOf(options), "sweep_duration_s: expected a value from -1 to 1, found nan");
+}
+
+TEST(CheckSlamOptions, RefusesASweepThatWouldHaveNoEffect) {
+  SlamOptions options;
+  options.odometry = SlamOptions::Odometry::kRaw;
+  EXPECT_EQ(ErrorOf(options), "");
+  options.sweep_duration_s = 0.1;
+  EXPECT_THAT(ErrorOf(options), testing::HasSubstr("sweep_duration_s: expected none with raw"));
 }
 
 TEST(CheckSlamOptions, LooksAtTheBackEndToo) {
