@@ -4,31 +4,20 @@
 
 namespace gmapping_spa::backend {
 
-const char* InitializationName(Initialization initialization) {
-  switch (initialization) {
-    case Initialization::kAuto:
-      return "auto";
-    case Initialization::kKeep:
-      return "keep";
-    case Initialization::kOdometry:
-      return "odometry";
-    case Initialization::kSpanningTree:
-      return "spanning_tree";
-    case Initialization::kChordal:
-      return "chordal";
-  }
-  return "unknown";
+bool KeepsStart(const Options& options) {
+  if (options.initialization == Initialization::kAuto) return false;
+  if (options.initialization == Initialization::kKeep) return true;
+  throw std::invalid_argument(std::string("the initialization ") +
+                              InitializationName(options.initialization) +
+                              " is that of OptimizeSafely, not of an optimizer");
 }
 
-Initialization InitializationFromName(const std::string& name) {
-  for (const auto initialization :
-       {Initialization::kAuto, Initialization::kKeep, Initialization::kOdometry,
-        Initialization::kSpanningTree, Initialization::kChordal}) {
-    if (name == InitializationName(initialization)) return initialization;
-  }
-  throw std::runtime_error(
-      "expected an initialization out of auto, keep, odometry, spanning_tree, chordal, got '" +
-      name + "'");
+std::chrono::steady_clock::time_point DeadlineOf(const Options& options) {
+  using Clock = std::chrono::steady_clock;
+  constexpr double kLongest_s = 1e9;  // the clock's nanoseconds overflow at ten times as many
+  if (!(options.max_solver_time_s < kLongest_s)) return Clock::time_point::max();
+  const std::chrono::duration<double> time(options.max_solver_time_s);
+  return Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
 }
 
 const char* TerminationName(Termination termination) {

@@ -2,7 +2,9 @@
 #ifndef GMAPPING_SPA_BACKEND_PLUGIN_OPTIMIZER_H_
 #define GMAPPING_SPA_BACKEND_PLUGIN_OPTIMIZER_H_
 
+#include <chrono>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <span>
 #include <string>
@@ -10,25 +12,22 @@
 
 #include "backend/cost/robust_loss.h"
 #include "backend/graph/pose_graph.h"
+#include "backend/initialization/initialization.h"
 
 namespace gmapping_spa::backend {
 
-// Where an optimizer starts.
-enum class Initialization : std::uint8_t {
-  kAuto,          // the optimizer's own choice
-  kKeep,          // the given poses
-  kOdometry,      // see InitializeFromOdometry
-  kSpanningTree,  // see InitializeFromSpanningTree
-  kChordal        // the chordal relaxation of Carlone et al. 2015
-};
-
 struct Options {
   int max_iterations = 100;
+  // Where to start. OptimizeSafely sees to all but kAuto, the back end's own choice: an optimizer
+  // is told that or kKeep.
   Initialization initialization = Initialization::kAuto;
   // Converged when the linearised problem promises to lower the cost by less than this fraction.
   double cost_tolerance = 1e-7;
+  // An optimizer that takes longer returns the best poses so far. Results then depend on the
+  // machine.
+  double max_solver_time_s = std::numeric_limits<double>::infinity();
   Loss loss;  // of loop closures
-  // A back end's own options by name; its documentation lists them. Unknown ones are failures.
+  // A back end's own options by name; `optimize_graph --list_backends` lists them.
   std::map<std::string, std::string> settings;
   friend bool operator==(const Options&, const Options&) = default;
 };
@@ -43,7 +42,7 @@ struct IterationRecord {
 
 enum class Termination : std::uint8_t {
   kConverged,
-  kNoConvergence,  // out of iterations
+  kNoConvergence,  // out of iterations or time
   kFailure         // the poses are as they were
 };
 
@@ -60,6 +59,9 @@ struct Summary {
 class Optimizer {
  public:
   virtual ~Optimizer() = default;
+  // Throws std::runtime_error with one line when it cannot do what the options ask for: a setting
+  // that it does not have, or that has no such value, or a loss that it does not support.
+  virtual void CheckOptions(const Options& /*options*/) const {}
   // Improves the poses of `nodes` and changes nothing else of them. Poses are finite before and
   // after; never do those after cost more (GraphCost under options.loss). Leaves fixed nodes where
   // they are, and the first node of each connected component that has none.
@@ -67,10 +69,14 @@ class Optimizer {
                            std::span<Node> nodes) = 0;
 };
 
-// Names as used on command lines: auto, keep, odometry, spanning_tree, chordal; converged,
-// no_convergence, failure. InitializationFromName throws std::runtime_error with one line.
-const char* InitializationName(Initialization initialization);
-Initialization InitializationFromName(const std::string& name);
+// For optimizers: whether to start from the given poses (kKeep) or from where they like (kAuto).
+// Throws std::invalid_argument for other initializations: nobody has seen to them.
+bool KeepsStart(const Options& options);
+
+// For optimizers, at the begin of a call: when options.max_solver_time_s will be over.
+std::chrono::steady_clock::time_point DeadlineOf(const Options& options);
+
+// Name as used on command lines and in JSON: converged, no_convergence, failure.
 const char* TerminationName(Termination termination);
 
 }  // namespace gmapping_spa::backend

@@ -3,9 +3,11 @@
 #define GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_H_
 
 #include <exception>
-#include <memory>
+#include <span>
 
+#include "backend/plugin/abi_conversion.h"
 #include "backend/plugin/plugin_abi.h"
+#include "backend/plugin/settings.h"
 
 namespace gmapping_spa::backend {
 
@@ -14,7 +16,28 @@ namespace gmapping_spa::backend {
 template <typename OptimizerType>
 class PluginAdapter {
  public:
-  static void* Create(const PluginReport* report) noexcept {
+  static GmappingSpaPlugin Table(const char* name, const char* description) {
+    GmappingSpaPlugin table{};
+    table.abi_version = GMAPPING_SPA_PLUGIN_ABI_VERSION;
+    table.name = name;
+    table.description = description;
+    if constexpr (requires { OptimizerType::kSettings; }) {
+      const std::span<const SettingDescription> settings = OptimizerType::kSettings;
+      table.settings = settings.data();
+      table.setting_count = settings.size();
+    }
+    table.losses = LossBit(LossKind::kNone);
+    if constexpr (requires { OptimizerType::kLosses; }) {
+      for (const LossKind kind : OptimizerType::kLosses) table.losses |= LossBit(kind);
+    }
+    table.create = &Create;
+    table.destroy = &Destroy;
+    table.optimize = &Optimize;
+    return table;
+  }
+
+ private:
+  static void* Create(const GmappingSpaReport* report) noexcept {
     try {
       return new PluginAdapter();
     } catch (const std::exception& error) {
@@ -27,10 +50,17 @@ class PluginAdapter {
 
   static void Destroy(void* optimizer) noexcept { delete static_cast<PluginAdapter*>(optimizer); }
 
-  static void Optimize(void* optimizer, const PluginOptions* options, const PluginGraph* graph,
-                       const PluginReport* report) noexcept {
+  static void Optimize(void* optimizer, const GmappingSpaOptions* options,
+                       const GmappingSpaGraph* graph, const GmappingSpaReport* report) noexcept {
     try {
-      static_cast<PluginAdapter*>(optimizer)->OptimizeOrThrow(*options, *graph, *report);
+      const Summary summary = static_cast<PluginAdapter*>(optimizer)->optimizer_.Optimize(
+          FromAbi(*options), EdgesOf(*graph), NodesOf(*graph));
+      for (const IterationRecord& record : summary.iterations) {
+        const GmappingSpaIteration iteration = ToAbi(record);
+        report->add_iteration(report->context, &iteration);
+      }
+      report->set_outcome(report->context, static_cast<std::int32_t>(summary.termination),
+                          summary.message.c_str(), summary.initial_cost, summary.final_cost);
     } catch (const std::exception& error) {
       Fail(error.what(), *report);
     } catch (...) {
@@ -38,29 +68,8 @@ class PluginAdapter {
     }
   }
 
- private:
-  static void Fail(const char* message, const PluginReport& report) {
-    report.set_outcome(report.context, Termination::kFailure, message, 0.0, 0.0);
-  }
-
-  void OptimizeOrThrow(const PluginOptions& plain_options, const PluginGraph& plain_graph,
-                       const PluginReport& report) {
-    Options options;
-    options.max_iterations = plain_options.max_iterations;
-    options.initialization = plain_options.initialization;
-    options.cost_tolerance = plain_options.cost_tolerance;
-    options.loss = plain_options.loss;
-    for (std::size_t k = 0; k < plain_options.setting_count; ++k) {
-      options.settings[plain_options.settings[k].name] = plain_options.settings[k].value;
-    }
-    const Summary summary =
-        optimizer_.Optimize(options, {plain_graph.edges, plain_graph.edge_count},
-                            {plain_graph.nodes, plain_graph.node_count});
-    for (const IterationRecord& record : summary.iterations) {
-      report.add_iteration(report.context, &record);
-    }
-    report.set_outcome(report.context, summary.termination, summary.message.c_str(),
-                       summary.initial_cost, summary.final_cost);
+  static void Fail(const char* message, const GmappingSpaReport& report) {
+    report.set_outcome(report.context, GMAPPING_SPA_FAILURE, message, 0.0, 0.0);
   }
 
   OptimizerType optimizer_;
@@ -68,20 +77,17 @@ class PluginAdapter {
 
 }  // namespace gmapping_spa::backend
 
-// Defines the entry point of a plugin. Use it once, outside any namespace.
-#define GMAPPING_SPA_BACKEND_PLUGIN(OptimizerType, name, description)                         \
-  extern "C" __attribute__((visibility("default"))) const gmapping_spa::backend::PluginTable* \
-  gmapping_spa_backend_plugin() {                                                             \
-    using Adapter = gmapping_spa::backend::PluginAdapter<OptimizerType>;                      \
-    static const gmapping_spa::backend::PluginTable table = {                                 \
-        gmapping_spa::backend::kPluginAbiVersion,                                             \
-        name,                                                                                 \
-        description,                                                                          \
-        &Adapter::Create,                                                                     \
-        &Adapter::Destroy,                                                                    \
-        &Adapter::Optimize};                                                                  \
-    return &table;                                                                            \
-  }                                                                                           \
+// Defines the entry point of a plugin. Use it once, outside any namespace. OptimizerType may have
+//   static constexpr SettingDescription kSettings[]   its settings; none without it
+//   static constexpr LossKind kLosses[]   the robust losses that it supports; without it, least
+//                                         squares only
+#define GMAPPING_SPA_BACKEND_PLUGIN(OptimizerType, name, description)                  \
+  extern "C" __attribute__((visibility("default"))) const GmappingSpaPlugin*           \
+  gmapping_spa_backend_plugin() {                                                      \
+    static const GmappingSpaPlugin table =                                             \
+        gmapping_spa::backend::PluginAdapter<OptimizerType>::Table(name, description); \
+    return &table;                                                                     \
+  }                                                                                    \
   static_assert(true, "a semicolon follows")
 
 #endif  // GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_H_

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "backend/plugin/plugin_abi.h"
+#include "backend/plugin/plugin_optimizer.h"
 
 namespace gmapping_spa::backend {
 namespace {
@@ -23,7 +24,7 @@ constexpr char kPrefix[] = "libgmapping_spa_";
 constexpr char kSuffix[] = ".so";
 
 // Opens the plugin and checks that the rest of its table is what this code takes it for.
-const PluginTable& OpenPlugin(const std::string& path) {
+const GmappingSpaPlugin& OpenPlugin(const std::string& path) {
   const auto fail = [&](const std::string& why) {
     std::string message = "cannot load the back end " + path + ": " + why;
     std::replace(message.begin(), message.end(), '\n', ' ');
@@ -33,95 +34,30 @@ const PluginTable& OpenPlugin(const std::string& path) {
   // Never closed: libraries that plugins bring along do not expect to be unloaded.
   void* const library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) fail(dlerror());
-  using EntryPoint = const PluginTable* (*)();
-  const auto entry_point = reinterpret_cast<EntryPoint>(dlsym(library, kPluginEntryPoint));
+  using EntryPoint = const GmappingSpaPlugin* (*)();
+  const auto entry_point =
+      reinterpret_cast<EntryPoint>(dlsym(library, GMAPPING_SPA_PLUGIN_ENTRY_POINT));
   if (entry_point == nullptr) {
-    fail("it has no function " + std::string(kPluginEntryPoint));
+    fail("it has no function " + std::string(GMAPPING_SPA_PLUGIN_ENTRY_POINT));
   }
-  const PluginTable* table = nullptr;
+  const GmappingSpaPlugin* table = nullptr;
   try {
     table = entry_point();
   } catch (...) {
     fail("its entry point threw an exception");
   }
   if (table == nullptr) fail("its entry point returned nothing");
-  if (table->abi_version != kPluginAbiVersion) {
+  if (table->abi_version != GMAPPING_SPA_PLUGIN_ABI_VERSION) {
     fail("it has ABI version " + std::to_string(table->abi_version) + ", expected " +
-         std::to_string(kPluginAbiVersion) + "; rebuild it");
+         std::to_string(GMAPPING_SPA_PLUGIN_ABI_VERSION) + "; rebuild it");
   }
   if (table->name == nullptr || table->description == nullptr || table->create == nullptr ||
-      table->destroy == nullptr || table->optimize == nullptr) {
+      table->destroy == nullptr || table->optimize == nullptr ||
+      (table->settings == nullptr && table->setting_count > 0)) {
     fail("its table is incomplete");
   }
   return *table;
 }
-
-PluginReport ReportInto(Summary* summary) {
-  PluginReport report{};
-  report.context = summary;
-  report.set_outcome = [](void* context, Termination termination, const char* message,
-                          double initial_cost, double final_cost) {
-    Summary& to = *static_cast<Summary*>(context);
-    to.termination = termination;
-    to.message = message == nullptr ? "" : message;
-    to.initial_cost = initial_cost;
-    to.final_cost = final_cost;
-  };
-  report.add_iteration = [](void* context, const IterationRecord* record) {
-    static_cast<Summary*>(context)->iterations.push_back(*record);
-  };
-  return report;
-}
-
-// An optimizer on the other side of the boundary. Plugins made with plugin.h let no exception out;
-// others may.
-class PluginOptimizer : public Optimizer {
- public:
-  PluginOptimizer(const std::string& path, const PluginTable& table) : table_(table) {
-    Summary summary;
-    const PluginReport report = ReportInto(&summary);
-    try {
-      optimizer_ = table_.create(&report);
-    } catch (const std::exception& error) {
-      summary.message = error.what();
-    } catch (...) {
-      summary.message = "an exception of unknown type";
-    }
-    if (optimizer_ == nullptr) {
-      throw std::runtime_error("the back end " + path +
-                               " cannot make an optimizer: " + summary.message);
-    }
-  }
-  ~PluginOptimizer() override {
-    try {
-      table_.destroy(optimizer_);
-    } catch (...) {
-      // Nobody is left to be told.
-    }
-  }
-  PluginOptimizer(const PluginOptimizer&) = delete;
-  PluginOptimizer& operator=(const PluginOptimizer&) = delete;
-
-  Summary Optimize(const Options& options, std::span<const Edge> edges,
-                   std::span<Node> nodes) override {
-    std::vector<PluginSetting> settings;
-    for (const auto& [name, value] : options.settings) {
-      settings.push_back({name.c_str(), value.c_str()});
-    }
-    const PluginOptions plain_options{options.max_iterations, options.initialization,
-                                      options.cost_tolerance, options.loss,
-                                      settings.data(),        settings.size()};
-    const PluginGraph plain_graph{nodes.data(), nodes.size(), edges.data(), edges.size()};
-    Summary summary;
-    const PluginReport report = ReportInto(&summary);
-    table_.optimize(optimizer_, &plain_options, &plain_graph, &report);
-    return summary;
-  }
-
- private:
-  const PluginTable& table_;
-  void* optimizer_ = nullptr;
-};
 
 // The folders for plugins along the library search path of the program or library that this code is
 // linked into: find_package(gmapping_spa) puts that of the installed package there.
@@ -200,9 +136,12 @@ std::vector<BackendDescription> ListBackends(const std::vector<std::string>& fol
       if (!file.starts_with(kPrefix) || entry.path().extension() != kSuffix) continue;
       const std::string name = entry.path().stem().string().substr(sizeof(kPrefix) - 1);
       if (found.contains(name)) continue;
-      BackendDescription backend{name, entry.path().string(), "", true};
+      BackendDescription backend{name, entry.path().string(), "", true, "", {}};
       try {
-        backend.description = OpenPlugin(backend.path).description;
+        const GmappingSpaPlugin& plugin = OpenPlugin(backend.path);
+        backend.description = plugin.description;
+        backend.losses = LossesOf(plugin);
+        backend.settings = SettingsOf(plugin);
       } catch (const std::runtime_error& failure) {
         backend.description = failure.what();
         backend.loadable = false;

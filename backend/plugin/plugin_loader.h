@@ -3,10 +3,12 @@
 #define GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_LOADER_H_
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "backend/plugin/optimizer.h"
+#include "backend/plugin/settings.h"
 
 namespace gmapping_spa::backend {
 
@@ -30,6 +32,8 @@ struct BackendDescription {
   std::string path;
   std::string description;  // of a plugin that cannot be loaded: why
   bool loadable = false;
+  std::string losses;                            // that it supports, separated by commas
+  std::span<const SettingDescription> settings;  // there until the process ends
 };
 
 // All back ends in `folders`, by name; of several with the same name, the one that LoadOptimizer

@@ -5,79 +5,124 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace gmapping_spa::backend {
 namespace {
 
-[[noreturn]] void Fail(const std::string& name, const std::string& value,
-                       const std::string& expectation) {
-  throw std::runtime_error("setting " + name + ": expected " + expectation + ", got '" + value +
-                           "'");
-}
-
+// The whole text as a number; NaN when it is none.
 template <typename Value>
-Value ParseAtLeast(const std::string& name, const std::string& text, Value minimum,
-                   const char* kind) {
+double Parse(const std::string& text) {
   Value value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool whole = error == std::errc() && end == text.data() + text.size();
-  if (!whole || !std::isfinite(static_cast<double>(value)) || value < minimum) {
-    std::ostringstream expectation;
-    expectation << kind << " of at least " << minimum;
-    Fail(name, text, expectation.str());
+  return whole ? static_cast<double>(value) : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<std::string> ChoicesOf(const SettingDescription& description) {
+  std::vector<std::string> choices;
+  std::istringstream words(description.choices == nullptr ? "" : description.choices);
+  for (std::string word; std::getline(words, word, ',');) choices.push_back(word);
+  return choices;
+}
+
+bool IsInRange(double value, const SettingDescription& description) {
+  return std::isfinite(value) && value >= description.minimum && value <= description.maximum;
+}
+
+bool Fits(const std::string& value, const SettingDescription& description) {
+  switch (description.type) {
+    case GMAPPING_SPA_SETTING_NUMBER:
+      return IsInRange(Parse<double>(value), description);
+    case GMAPPING_SPA_SETTING_INTEGER:
+      return IsInRange(Parse<int>(value), description);
+    case GMAPPING_SPA_SETTING_BOOLEAN:
+      return value == "true" || value == "false";
+    case GMAPPING_SPA_SETTING_CHOICE: {
+      const std::vector<std::string> choices = ChoicesOf(description);
+      return std::find(choices.begin(), choices.end(), value) != choices.end();
+    }
+    default:
+      return false;
   }
-  return value;
+}
+
+template <typename Texts>
+std::string Join(const Texts& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + text;
+  return all;
+}
+
+const SettingDescription* Find(std::span<const SettingDescription> descriptions,
+                               const std::string& name) {
+  const auto found = std::find_if(descriptions.begin(), descriptions.end(),
+                                  [&](const SettingDescription& one) { return name == one.name; });
+  return found == descriptions.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-const std::string* SettingsReader::Find(const std::string& name) {
-  known_.insert(name);
-  const auto found = settings_.find(name);
-  return found == settings_.end() ? nullptr : &found->second;
-}
-
-double SettingsReader::Number(const std::string& name, double fallback, double minimum) {
-  const std::string* const text = Find(name);
-  return text == nullptr ? fallback : ParseAtLeast(name, *text, minimum, "a number");
-}
-
-int SettingsReader::Integer(const std::string& name, int fallback, int minimum) {
-  const std::string* const text = Find(name);
-  return text == nullptr ? fallback : ParseAtLeast(name, *text, minimum, "an integer");
-}
-
-bool SettingsReader::Flag(const std::string& name, bool fallback) {
-  const std::string* const text = Find(name);
-  if (text == nullptr) return fallback;
-  if (*text != "true" && *text != "false") Fail(name, *text, "true or false");
-  return *text == "true";
-}
-
-std::string SettingsReader::Choice(const std::string& name,
-                                   std::initializer_list<const char*> choices) {
-  const std::string* const text = Find(name);
-  if (text == nullptr) return *choices.begin();
-  std::string all;
-  for (const char* choice : choices) {
-    if (*text == choice) return choice;
-    if (!all.empty()) all += ", ";
-    all += choice;
+Settings::Settings(std::span<const SettingDescription> descriptions,
+                   const std::map<std::string, std::string>& given)
+    : descriptions_(descriptions), values_(given) {
+  for (const auto& [name, value] : given) {
+    const SettingDescription* const description = Find(descriptions, name);
+    if (description == nullptr) {
+      std::vector<std::string> names;
+      for (const SettingDescription& known : descriptions) names.emplace_back(known.name);
+      throw std::runtime_error("unknown setting " + name + ": expected " +
+                               (names.empty() ? "no settings" : "one of " + Join(names)));
+    }
+    if (!Fits(value, *description)) {
+      throw std::runtime_error("setting " + name + ": expected " + RangeOf(*description) +
+                               ", got '" + value + "'");
+    }
   }
-  Fail(name, *text, "one of " + all);
+  for (const SettingDescription& one : descriptions)
+    values_.try_emplace(one.name, one.default_value);
 }
 
-void SettingsReader::RejectOthers() const {
-  const auto unknown = std::find_if(settings_.begin(), settings_.end(), [&](const auto& setting) {
-    return !known_.contains(setting.first);
-  });
-  if (unknown == settings_.end()) return;
-  std::string all;
-  for (const std::string& known : known_) {
-    if (!all.empty()) all += ", ";
-    all += known;
+const std::string& Settings::ValueOf(const std::string& name, GmappingSpaSettingType type) const {
+  const SettingDescription* const description = Find(descriptions_, name);
+  if (description == nullptr || description->type != type) {
+    throw std::logic_error("setting " + name + " is not described, or with another type");
   }
-  throw std::runtime_error("unknown setting " + unknown->first + ": expected one of " + all);
+  return values_.at(name);
+}
+
+double Settings::Number(const std::string& name) const {
+  return Parse<double>(ValueOf(name, GMAPPING_SPA_SETTING_NUMBER));
+}
+
+int Settings::Integer(const std::string& name) const {
+  return static_cast<int>(Parse<int>(ValueOf(name, GMAPPING_SPA_SETTING_INTEGER)));
+}
+
+bool Settings::Boolean(const std::string& name) const {
+  return ValueOf(name, GMAPPING_SPA_SETTING_BOOLEAN) == "true";
+}
+
+const std::string& Settings::Choice(const std::string& name) const {
+  return ValueOf(name, GMAPPING_SPA_SETTING_CHOICE);
+}
+
+std::string RangeOf(const SettingDescription& description) {
+  if (description.type == GMAPPING_SPA_SETTING_BOOLEAN) return "true or false";
+  if (description.type == GMAPPING_SPA_SETTING_CHOICE) {
+    return "one of " + Join(ChoicesOf(description));
+  }
+  const bool integer = description.type == GMAPPING_SPA_SETTING_INTEGER;
+  std::ostringstream range;
+  range << (integer ? "an integer" : "a number");
+  const bool open = integer ? description.maximum >= std::numeric_limits<int>::max()
+                            : std::isinf(description.maximum);
+  if (open) {
+    range << " of at least " << description.minimum;
+  } else {
+    range << " from " << description.minimum << " to " << description.maximum;
+  }
+  return range.str();
 }
 
 }  // namespace gmapping_spa::backend

@@ -1,6 +1,7 @@
 #include "backend/scheduling/graduated_non_convexity.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -46,12 +47,21 @@ Summary OptimizeGradually(const Options& options, Optimizer* optimizer, PoseGrap
   const GraphIndex index = IndexGraph(*graph);
   const double initial_cost = GraphCost(*graph, index, options.loss);
   const std::vector<Node> before = graph->nodes;
+  const auto deadline = DeadlineOf(options);
+  // One stage, with the time that is left.
+  const auto optimize = [&](Options stage) {
+    if (deadline != std::chrono::steady_clock::time_point::max()) {
+      const std::chrono::duration<double> left = deadline - std::chrono::steady_clock::now();
+      stage.max_solver_time_s = std::max(0.0, left.count());
+    }
+    return OptimizeSafely(stage, optimizer, graph);
+  };
 
   // Plain least squares is the limit of the surrogates that are convex.
   Summary summary;
   Options stage = options;
   stage.loss = {};
-  Append(OptimizeSafely(stage, optimizer, graph), &summary);
+  Append(optimize(stage), &summary);
   stage.loss = options.loss;
   stage.initialization = Initialization::kKeep;
   const double k2 = options.loss.scale * options.loss.scale;
@@ -59,12 +69,12 @@ Summary OptimizeGradually(const Options& options, Optimizer* optimizer, PoseGrap
   double control = k2 / std::max(2.0 * LargestSquaredError(*graph, index) - k2, k2);
   while (control < kLastControl && summary.termination != Termination::kFailure) {
     stage.loss.control = control;
-    Append(OptimizeSafely(stage, optimizer, graph), &summary);
+    Append(optimize(stage), &summary);
     control *= kControlFactor;
   }
   stage.loss = options.loss;
   if (summary.termination != Termination::kFailure) {
-    Append(OptimizeSafely(stage, optimizer, graph), &summary);
+    Append(optimize(stage), &summary);
   }
 
   summary.initial_cost = initial_cost;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,49 @@ std::string Violation(const PoseGraph& result, const std::vector<Node>& before,
   return "";
 }
 
+// Puts the poses of the initialization into the graph, if they can be had. Returns what the user
+// should know, or nothing.
+std::string Initialize(Initialization initialization, const GraphIndex& index, const Loss& loss,
+                       PoseGraph* graph) {
+  const std::optional<std::vector<SE2>> poses = InitialPoses(initialization, *graph, index);
+  if (!poses || !std::isfinite(GraphCost(*graph, index, *poses, loss))) {
+    return std::string("the edges do not determine the initialization ") +
+           InitializationName(initialization) + ": it started from the given poses; ";
+  }
+  for (std::size_t k = 0; k < poses->size(); ++k) graph->nodes[k].world_T_node = (*poses)[k];
+  return "";
+}
+
+// Optimizes from where the options say; `before` has the given poses, which cost initial_cost.
+// Throws what the optimizer throws.
+Summary OptimizeFromStart(const Options& options, const GraphIndex& index,
+                          const std::vector<Node>& before, double initial_cost,
+                          Optimizer* optimizer, PoseGraph* graph) {
+  Options told = options;
+  std::string remark;
+  double start_cost = initial_cost;
+  if (options.initialization != Initialization::kAuto &&
+      options.initialization != Initialization::kKeep) {
+    remark = Initialize(options.initialization, index, options.loss, graph);
+    told.initialization = Initialization::kKeep;
+    start_cost = GraphCost(*graph, index, options.loss);
+  }
+  Summary summary = optimizer->Optimize(told, graph->edges, graph->nodes);
+  if (summary.termination == Termination::kFailure) return summary;
+  const std::string violation =
+      Violation(*graph, before, index, options, start_cost, &summary.final_cost);
+  if (!violation.empty()) {
+    summary.termination = Termination::kFailure;
+    summary.message = violation;
+  } else if (summary.final_cost > initial_cost * (1.0 + kRoundingTolerance)) {
+    summary.message += "; the given poses cost less and are kept";
+    summary.final_cost = initial_cost;
+    graph->nodes = before;
+  }
+  summary.message.insert(0, remark);
+  return summary;
+}
+
 }  // namespace
 
 Summary OptimizeSafely(const Options& options, Optimizer* optimizer, PoseGraph* graph) {
@@ -47,30 +91,19 @@ Summary OptimizeSafely(const Options& options, Optimizer* optimizer, PoseGraph* 
   const std::vector<Node> before = graph->nodes;
 
   Summary summary;
-  double final_cost = initial_cost;
   try {
-    summary = optimizer->Optimize(options, graph->edges, graph->nodes);
-    const std::string violation =
-        summary.termination == Termination::kFailure
-            ? summary.message
-            : Violation(*graph, before, index, options, initial_cost, &final_cost);
-    if (!violation.empty()) {
-      summary.termination = Termination::kFailure;
-      summary.message = violation;
-    }
+    optimizer->CheckOptions(options);
+    summary = OptimizeFromStart(options, index, before, initial_cost, optimizer, graph);
   } catch (const std::exception& error) {
-    summary.termination = Termination::kFailure;
     summary.message = std::string("it threw: ") + error.what();
   } catch (...) {
-    summary.termination = Termination::kFailure;
     summary.message = "it threw an exception of unknown type";
   }
   if (summary.termination == Termination::kFailure) {
     graph->nodes = before;
-    final_cost = initial_cost;
+    summary.final_cost = initial_cost;
   }
   summary.initial_cost = initial_cost;
-  summary.final_cost = final_cost;
   return summary;
 }
 

@@ -6,10 +6,12 @@
 
 namespace gmapping_spa::backend {
 
-// Calls optimizer->Optimize and holds it to its contract: when it throws, reports failure, changes
-// anything but poses, moves a fixed node, returns poses that are not finite or cost more than
-// before, `graph` is as it was and the Summary a failure that says so. The costs of the Summary are
-// GraphCost's, not the optimizer's. Throws like IndexGraph when the graph itself is malformed.
+// Sets the poses of options.initialization, calls optimizer->Optimize and holds it to its contract:
+// when it throws, cannot do what the options ask for, reports failure, changes anything but poses,
+// moves a fixed node, returns poses that are not finite or cost more than those it got, `graph` is
+// as it was and the Summary a failure that says so. The costs of the Summary are GraphCost's, not
+// the optimizer's. Where what came of the initialization costs more than the given poses, these are
+// kept, and the message says so. Throws like IndexGraph when the graph itself is malformed.
 Summary OptimizeSafely(const Options& options, Optimizer* optimizer, PoseGraph* graph);
 
 }  // namespace gmapping_spa::backend

@@ -26,6 +26,10 @@ DEFINE_int32(max_iterations, kOptions.max_iterations,
 DEFINE_double(
     cost_tolerance, kOptions.cost_tolerance,
     "An optimization has converged when a step would lower the cost by less than this part of it.");
+DEFINE_double(
+    max_solver_time_s, 0.0,
+    "Longest time of an optimization in s, by the clock: then it ends with the best poses "
+    "so far, which depend on the machine. 0: no limit.");
 DEFINE_string(loss, gmapping_spa::backend::LossKindName(kOptions.loss.kind),
               "Robust loss of loop closures: none, huber, cauchy, dcs (dynamic covariance scaling, "
               "Agarwal et al. 2013) or truncated (truncated least squares).");
@@ -94,14 +98,18 @@ std::string BackendFromFlags() { return FLAGS_backend; }
 bool GncFromFlags() { return FLAGS_gnc; }
 
 std::unique_ptr<backend::Optimizer> LoadOptimizerFromFlags() {
-  return backend::LoadOptimizer(FLAGS_backend);
+  std::unique_ptr<backend::Optimizer> optimizer = backend::LoadOptimizer(FLAGS_backend);
+  optimizer->CheckOptions(OptionsFromFlags());
+  return optimizer;
 }
 
 backend::Options OptionsFromFlags() {
   if (FLAGS_max_iterations < 0) throw std::runtime_error("--max_iterations must not be negative");
   if (!(FLAGS_cost_tolerance >= 0)) throw std::runtime_error("--cost_tolerance is negative");
   if (!(FLAGS_loss_scale > 0)) throw std::runtime_error("--loss_scale must be positive");
+  if (!(FLAGS_max_solver_time_s >= 0)) throw std::runtime_error("--max_solver_time_s is negative");
   backend::Options options;
+  if (FLAGS_max_solver_time_s > 0) options.max_solver_time_s = FLAGS_max_solver_time_s;
   options.max_iterations = FLAGS_max_iterations;
   options.initialization = backend::InitializationFromName(FLAGS_init);
   options.cost_tolerance = FLAGS_cost_tolerance;

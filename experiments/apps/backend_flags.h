@@ -15,7 +15,8 @@ std::string BackendFromFlags();
 // The value of --gnc.
 bool GncFromFlags();
 
-// Loads the back end of --backend; throws std::runtime_error with one line.
+// Loads the back end of --backend, and checks that it can do what the flags ask for; throws
+// std::runtime_error with one line.
 std::unique_ptr<backend::Optimizer> LoadOptimizerFromFlags();
 
 // The options of --loss, --init, ..., with those --<backend>_<setting> flags that were set, and

@@ -36,6 +36,11 @@ void ListBackends() {
        backend::ListBackends(backend::PluginSearchPath())) {
     std::cout << found.name << (found.loadable ? "" : " (unusable)") << "\n    " << found.path
               << "\n    " << found.description << '\n';
+    if (found.loadable) std::cout << "    losses: " << found.losses << '\n';
+    for (const backend::SettingDescription& setting : found.settings) {
+      std::cout << "    " << setting.name << " (" << backend::RangeOf(setting) << ", default "
+                << setting.default_value << "): " << setting.help << '\n';
+    }
   }
 }
 

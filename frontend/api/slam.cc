@@ -23,8 +23,10 @@ const SlamOptions& Checked(const SlamOptions& options) {
   return options;
 }
 
-std::shared_ptr<backend::Optimizer> NotNull(std::shared_ptr<backend::Optimizer> optimizer) {
+std::shared_ptr<backend::Optimizer> Checked(const SlamOptions& options,
+                                            std::shared_ptr<backend::Optimizer> optimizer) {
   if (optimizer == nullptr) throw std::invalid_argument("the optimizer is null");
+  optimizer->CheckOptions(options.optimizer);
   return optimizer;
 }
 
@@ -64,7 +66,7 @@ Slam::Slam(const SlamOptions& options)
     : Slam(Checked(options), backend::LoadOptimizer(options.backend)) {}
 
 Slam::Slam(const SlamOptions& options, std::shared_ptr<backend::Optimizer> optimizer)
-    : state_(std::make_unique<State>(Checked(options), NotNull(std::move(optimizer)))) {}
+    : state_(std::make_unique<State>(Checked(options), Checked(options, std::move(optimizer)))) {}
 
 Slam::~Slam() = default;
 Slam::Slam(Slam&&) noexcept = default;

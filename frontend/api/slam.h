@@ -35,7 +35,8 @@ namespace gmapping_spa {
 class Slam {
  public:
   /// Loads the back end SlamOptions::backend. Throws std::invalid_argument on options out of range,
-  /// and std::runtime_error where there is no such back end.
+  /// and std::runtime_error where there is no such back end, or it cannot do what
+  /// SlamOptions::optimizer asks for (a loss, a setting).
   explicit Slam(const SlamOptions& options = {});
 
   /// With a back end of the program's own, in place of SlamOptions::backend; not null. It is called

@@ -4,6 +4,7 @@
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <memory>
@@ -12,16 +13,11 @@
 
 #include "backend/cost/graph_cost.h"
 #include "backend/graph/graph_index.h"
-#include "backend/initialization/chordal_initialization.h"
-#include "backend/initialization/initial_guess.h"
-#include "backend/plugin/settings.h"
-#include "backend/sparse/graph_structure.h"
 #include "plugins/ceres/edge_cost_function.h"
 
 namespace gmapping_spa::ceres_backend {
 namespace {
 
-using backend::Initialization;
 using backend::Options;
 using backend::PoseGraphView;
 using backend::SE2;
@@ -43,58 +39,34 @@ class RobustLoss : public ::ceres::LossFunction {
 };
 
 ::ceres::Solver::Options SolverOptions(const Options& options) {
-  backend::SettingsReader reader(options.settings);
+  const backend::Settings settings(CeresOptimizer::kSettings, options.settings);
   ::ceres::Solver::Options solver;
   solver.logging_type = ::ceres::SILENT;
   solver.max_num_iterations = options.max_iterations;
   solver.function_tolerance = options.cost_tolerance;
-  const std::string linear_solver = reader.Choice(
-      "linear_solver", {"sparse_normal_cholesky", "dense_normal_cholesky", "dense_qr", "cgnr"});
-  ::ceres::StringToLinearSolverType(linear_solver, &solver.linear_solver_type);
-  const std::string library = reader.Choice("sparse_library", {"suite_sparse", "eigen_sparse"});
-  ::ceres::StringToSparseLinearAlgebraLibraryType(library,
+  solver.max_solver_time_in_seconds =
+      std::min(solver.max_solver_time_in_seconds, options.max_solver_time_s);
+  ::ceres::StringToLinearSolverType(settings.Choice("linear_solver"), &solver.linear_solver_type);
+  ::ceres::StringToSparseLinearAlgebraLibraryType(settings.Choice("sparse_library"),
                                                   &solver.sparse_linear_algebra_library_type);
-  const std::string trust_region = reader.Choice("trust_region", {"levenberg_marquardt", "dogleg"});
-  ::ceres::StringToTrustRegionStrategyType(trust_region, &solver.trust_region_strategy_type);
-  solver.initial_trust_region_radius = reader.Number("initial_radius", 1e4, 0.0);
+  ::ceres::StringToTrustRegionStrategyType(settings.Choice("trust_region"),
+                                           &solver.trust_region_strategy_type);
+  solver.initial_trust_region_radius = settings.Number("initial_radius");
   solver.max_trust_region_radius =
       std::max(solver.max_trust_region_radius, solver.initial_trust_region_radius);
-  solver.use_nonmonotonic_steps = reader.Flag("nonmonotonic", false);
-  solver.jacobi_scaling = reader.Flag("jacobi_scaling", true);
-  solver.gradient_tolerance = reader.Number("gradient_tolerance", 1e-10, 0.0);
-  solver.parameter_tolerance = reader.Number("parameter_tolerance", 1e-8, 0.0);
-  solver.num_threads = reader.Integer("threads", 1, 1);
-  reader.RejectOthers();
+  solver.use_nonmonotonic_steps = settings.Boolean("nonmonotonic");
+  solver.jacobi_scaling = settings.Boolean("jacobi_scaling");
+  solver.gradient_tolerance = settings.Number("gradient_tolerance");
+  solver.parameter_tolerance = settings.Number("parameter_tolerance");
+  solver.num_threads = settings.Integer("threads");
   std::string error;
   if (!solver.IsValid(&error)) throw std::runtime_error(error);
   return solver;
 }
 
-std::vector<SE2> StartingPoses(Initialization initialization, const PoseGraphView& graph,
-                               const backend::GraphIndex& index) {
-  std::vector<SE2> poses = PosesOf(graph);
-  switch (initialization) {
-    case Initialization::kAuto:
-    case Initialization::kKeep:
-      break;
-    case Initialization::kOdometry:
-      backend::InitializeFromOdometry(graph, index, &poses);
-      break;
-    case Initialization::kSpanningTree:
-      backend::InitializeFromSpanningTree(graph, index, &poses);
-      break;
-    case Initialization::kChordal: {
-      spa::GraphStructure structure;
-      spa::SolverMemory memory;
-      structure.Update(index);
-      if (!spa::InitializeChordal(graph, structure, &memory, &poses)) poses = PosesOf(graph);
-    }
-  }
-  return poses;
-}
-
 Summary OptimizeOrThrow(const Options& options, std::span<const backend::Edge> edges,
                         std::span<backend::Node> nodes) {
+  backend::KeepsStart(options);  // as Ceres always does
   const PoseGraphView graph{nodes, edges};
   const ::ceres::Solver::Options solver_options = SolverOptions(options);
   const backend::GraphIndex index = backend::IndexGraph(graph);
@@ -104,7 +76,7 @@ Summary OptimizeOrThrow(const Options& options, std::span<const backend::Edge> e
     summary.message = "the cost of the given poses is not finite";
     return summary;
   }
-  std::vector<SE2> poses = StartingPoses(options.initialization, graph, index);
+  std::vector<SE2> poses = PosesOf(graph);
 
   // An SE2 is three doubles in a row. Angles are plain numbers: errors are wrapped, poses at the
   // end.
@@ -160,6 +132,8 @@ Summary OptimizeOrThrow(const Options& options, std::span<const backend::Edge> e
 }
 
 }  // namespace
+
+void CeresOptimizer::CheckOptions(const Options& options) const { SolverOptions(options); }
 
 Summary CeresOptimizer::Optimize(const Options& options, std::span<const backend::Edge> edges,
                                  std::span<backend::Node> nodes) {

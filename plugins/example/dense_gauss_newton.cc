@@ -2,7 +2,6 @@
 #include <gmapping_spa/edge_error.h>
 #include <gmapping_spa/graph_cost.h>
 #include <gmapping_spa/plugin.h>
-#include <gmapping_spa/settings.h>
 
 #include <Eigen/Cholesky>
 #include <vector>
@@ -12,6 +11,7 @@ namespace {
 using gmapping_spa::backend::Edge;
 using gmapping_spa::backend::GraphCost;
 using gmapping_spa::backend::GraphIndex;
+using gmapping_spa::backend::LossKind;
 using gmapping_spa::backend::Node;
 using gmapping_spa::backend::Options;
 using gmapping_spa::backend::PoseGraphView;
@@ -56,9 +56,11 @@ Eigen::VectorXd GaussNewtonStep(const PoseGraphView& graph, const GraphIndex& in
 
 class DenseGaussNewton : public gmapping_spa::backend::Optimizer {
  public:
+  static constexpr LossKind kLosses[] = {LossKind::kHuber, LossKind::kCauchy, LossKind::kDcs,
+                                         LossKind::kTruncated};
+
   Summary Optimize(const Options& options, std::span<const Edge> edges,
                    std::span<Node> nodes) override {
-    gmapping_spa::backend::SettingsReader(options.settings).RejectOthers();
     const PoseGraphView graph{nodes, edges};
     const GraphIndex index = IndexGraph(graph);
     std::vector<SE2> poses = PosesOf(graph);
@@ -94,4 +96,4 @@ class DenseGaussNewton : public gmapping_spa::backend::Optimizer {
 }  // namespace
 
 GMAPPING_SPA_BACKEND_PLUGIN(DenseGaussNewton, "dense_gauss_newton",
-                            "Gauss-Newton with dense matrices; no settings");
+                            "Gauss-Newton with dense matrices");

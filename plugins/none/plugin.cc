@@ -1,16 +1,19 @@
 // The back end that changes nothing: what the front end does without one.
 #include "backend/plugin/plugin.h"
 #include "backend/cost/graph_cost.h"
-#include "backend/plugin/settings.h"
 
 namespace gmapping_spa::none {
 namespace {
 
 class NoOptimizer : public backend::Optimizer {
  public:
+  static constexpr backend::LossKind kLosses[] = {
+      // it costs poses, and changes none
+      backend::LossKind::kHuber, backend::LossKind::kCauchy, backend::LossKind::kDcs,
+      backend::LossKind::kTruncated};
+
   backend::Summary Optimize(const backend::Options& options, std::span<const backend::Edge> edges,
                             std::span<backend::Node> nodes) override {
-    backend::SettingsReader(options.settings).RejectOthers();
     backend::Summary summary;
     summary.termination = backend::Termination::kConverged;
     summary.message = "left the poses as they were";

@@ -2,5 +2,4 @@
 #include "backend/spa/spa_optimizer.h"
 
 GMAPPING_SPA_BACKEND_PLUGIN(gmapping_spa::spa::SpaOptimizer, "spa",
-                            "Sparse Pose Adjustment on 3x3 blocks; settings: solver (block, "
-                            "cholmod), damping, max_nonmonotonic_steps");
+                            "Sparse Pose Adjustment on 3x3 blocks");

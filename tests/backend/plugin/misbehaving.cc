@@ -31,13 +31,13 @@ class Misbehaving : public Optimizer {
 using gmapping_spa::backend::Misbehaving;
 
 #if defined(WRONG_ABI)
-extern "C" const gmapping_spa::backend::PluginTable* gmapping_spa_backend_plugin() {
-  static const gmapping_spa::backend::PluginTable table = {
-      gmapping_spa::backend::kPluginAbiVersion + 1, "wrong", "", nullptr, nullptr, nullptr};
+extern "C" const GmappingSpaPlugin* gmapping_spa_backend_plugin() {
+  static const GmappingSpaPlugin table = {
+      GMAPPING_SPA_PLUGIN_ABI_VERSION + 1, "wrong", "", nullptr, 0, 0, nullptr, nullptr, nullptr};
   return &table;
 }
 #elif defined(THROWING_ENTRY_POINT)
-extern "C" const gmapping_spa::backend::PluginTable* gmapping_spa_backend_plugin() { throw 42; }
+extern "C" const GmappingSpaPlugin* gmapping_spa_backend_plugin() { throw 42; }
 #elif !defined(WITHOUT_ENTRY_POINT)
 GMAPPING_SPA_BACKEND_PLUGIN(Misbehaving, "misbehaving", "breaks one rule");
 #endif

@@ -20,6 +20,8 @@ using ::testing::Contains;
 using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::StrEq;
+using ::testing::ThrowsMessage;
 
 const std::vector<std::string> kFolders = {TEST_PLUGIN_FOLDER};
 
@@ -57,7 +59,7 @@ TEST(LoadOptimizer, SaysWhereItSearchedInVain) {
 }
 
 TEST(LoadOptimizer, SaysWhatIsWrongWithAPlugin) {
-  EXPECT_THAT(ErrorOf("wrong_abi"), HasSubstr("it has ABI version 2, expected 1; rebuild it"));
+  EXPECT_THAT(ErrorOf("wrong_abi"), HasSubstr("it has ABI version 3, expected 2; rebuild it"));
   EXPECT_THAT(ErrorOf("without_entry_point"),
               HasSubstr("it has no function gmapping_spa_backend_plugin"));
   EXPECT_THAT(ErrorOf("throwing_entry_point"), HasSubstr("its entry point threw an exception"));
@@ -95,10 +97,49 @@ TEST(LoadOptimizer, CarriesOptionsAndIterationsAcrossTheBoundary) {
   const Summary summary = optimizer->Optimize(options, graph.edges, graph.nodes);
   EXPECT_EQ(summary.termination, Termination::kNoConvergence);
   EXPECT_EQ(summary.iterations.size(), 2u);
-  options.settings["slover"] = "block";
-  const Summary failed = optimizer->Optimize(options, graph.edges, graph.nodes);
+  options.max_solver_time_s = 0.0;
+  const Summary late = optimizer->Optimize(options, graph.edges, graph.nodes);
+  EXPECT_EQ(late.termination, Termination::kNoConvergence);
+  EXPECT_EQ(late.message, "ran out of time");
+}
+
+TEST(LoadOptimizer, RefusesSettingsAndLossesThatTheBackEndDoesNotHave) {
+  const std::unique_ptr<Optimizer> spa = LoadOptimizer("spa");
+  Options options;
+  options.settings["max_nonmonotonic_steps"] = "-1";
+  EXPECT_THAT([&] { spa->CheckOptions(options); },
+              ThrowsMessage<std::runtime_error>("back end spa: setting max_nonmonotonic_steps: "
+                                                "expected an integer of at least 0, got '-1'"));
+  options.settings = {{"slover", "block"}};
+  PoseGraph graph = RandomGraph(1);
+  const Summary failed = OptimizeSafely(options, spa.get(), &graph);
   EXPECT_EQ(failed.termination, Termination::kFailure);
   EXPECT_THAT(failed.message, HasSubstr("unknown setting slover"));
+  options = {};
+  options.loss.kind = LossKind::kHuber;
+  EXPECT_NO_THROW(spa->CheckOptions(options));
+  // Its author said nothing of losses.
+  const std::unique_ptr<Optimizer> other = LoadOptimizer("nan", kFolders);
+  EXPECT_THAT([&] { other->CheckOptions(options); },
+              ThrowsMessage<std::runtime_error>(
+                  "back end misbehaving: expected a loss out of none, got 'huber'"));
+}
+
+TEST(LoadOptimizer, TakesAPluginInPlainC) {
+  PoseGraph graph = RandomGraph(1), expected = graph;
+  const std::unique_ptr<Optimizer> optimizer = LoadOptimizer("plain_c", kFolders);
+  Options options;
+  options.settings = {{"x_m", "1.5"}};
+  const Summary summary = optimizer->Optimize(options, graph.edges, graph.nodes);
+  EXPECT_EQ(summary.termination, Termination::kNoConvergence);
+  EXPECT_EQ(summary.message, "moved the last node");
+  ASSERT_EQ(summary.iterations.size(), 1u);
+  EXPECT_EQ(summary.iterations[0].cost, 7.0);
+  // It found the last node from the last edge, by id, and its place by the setting.
+  expected.nodes.back().world_T_node.x = 1.5;
+  for (std::size_t k = 0; k < graph.nodes.size(); ++k) {
+    EXPECT_EQ(graph.nodes[k].world_T_node, expected.nodes[k].world_T_node) << k;
+  }
 }
 
 TEST(PluginSearchPath, StartsWithTheEnvironment) {
@@ -114,10 +155,14 @@ TEST(ListBackends, DescribesGoodOnesAndSaysWhatIsWrongWithOthers) {
   std::vector<std::string> folders = PluginSearchPath();
   folders.insert(folders.end(), kFolders.begin(), kFolders.end());
   const std::vector<BackendDescription> backends = ListBackends(folders);
-  EXPECT_THAT(backends, Contains(AllOf(Field(&BackendDescription::name, "spa"),
-                                       Field(&BackendDescription::loadable, true),
-                                       Field(&BackendDescription::description,
-                                             HasSubstr("Sparse Pose Adjustment")))));
+  EXPECT_THAT(
+      backends,
+      Contains(
+          AllOf(Field(&BackendDescription::name, "spa"), Field(&BackendDescription::loadable, true),
+                Field(&BackendDescription::losses, "none, huber, cauchy, dcs, truncated"),
+                Field(&BackendDescription::settings,
+                      Contains(Field(&SettingDescription::name, StrEq("damping")))),
+                Field(&BackendDescription::description, HasSubstr("Sparse Pose Adjustment")))));
   EXPECT_THAT(backends,
               Contains(AllOf(Field(&BackendDescription::name, "wrong_abi"),
                              Field(&BackendDescription::loadable, false),

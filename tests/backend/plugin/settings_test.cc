@@ -1,5 +1,6 @@
 #include "backend/plugin/settings.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -7,43 +8,63 @@
 namespace gmapping_spa::backend {
 namespace {
 
-using Settings = std::map<std::string, std::string>;
+constexpr SettingDescription kDescriptions[] = {
+    NumberSetting("radius", "2.5", "a number", 0.0),
+    NumberSetting("share", "0.5", "a number with both bounds", 0.0, 1.0),
+    IntegerSetting("threads", "3", "an integer", 1), BooleanSetting("verbose", "true", "a truth"),
+    ChoiceSetting("solver", "slow", "slow,fast", "a word")};
 
-TEST(SettingsReader, ReadsValuesOfEachKind) {
-  const Settings settings = {{"a", "1e-3"}, {"b", "7"}, {"c", "true"}, {"d", "fast"}};
-  SettingsReader reader(settings);
-  EXPECT_EQ(reader.Number("a", 0.0, 0.0), 1e-3);
-  EXPECT_EQ(reader.Integer("b", 0, 0), 7);
-  EXPECT_TRUE(reader.Flag("c", false));
-  EXPECT_EQ(reader.Choice("d", {"slow", "fast"}), "fast");
-  EXPECT_NO_THROW(reader.RejectOthers());
-}
-
-TEST(SettingsReader, FallsBackWhereNothingIsSet) {
-  const Settings none;
-  SettingsReader reader(none);
-  EXPECT_EQ(reader.Number("a", 2.5, 0.0), 2.5);
-  EXPECT_EQ(reader.Integer("b", 3, 0), 3);
-  EXPECT_TRUE(reader.Flag("c", true));
-  EXPECT_EQ(reader.Choice("d", {"slow", "fast"}), "slow");
-}
-
-TEST(SettingsReader, RejectsValuesOfAnotherKind) {
-  for (const char* text : {"", "x", "1x", "nan", "inf", "-1", "1 "}) {
-    const Settings settings = {{"a", text}};
-    SettingsReader reader(settings);
-    EXPECT_THROW(reader.Number("a", 0.0, 0.0), std::runtime_error) << text;
-    EXPECT_THROW(reader.Integer("a", 0, 0), std::runtime_error) << text;
-    EXPECT_THROW(reader.Flag("a", false), std::runtime_error) << text;
-    EXPECT_THROW(reader.Choice("a", {"slow", "fast"}), std::runtime_error) << text;
+std::string ErrorOf(const std::string& name, const std::string& value) {
+  try {
+    Settings(kDescriptions, {{name, value}});
+  } catch (const std::runtime_error& error) {
+    return error.what();
   }
+  return "no error";
 }
 
-TEST(SettingsReader, RejectsNamesNobodyAskedFor) {
-  const Settings settings = {{"solver", "block"}, {"slover", "block"}};
-  SettingsReader reader(settings);
-  reader.Choice("solver", {"block"});
-  EXPECT_THROW(reader.RejectOthers(), std::runtime_error);
+TEST(Settings, ReadsValuesOfEachType) {
+  const Settings settings(
+      kDescriptions,
+      {{"radius", "1e-3"}, {"threads", "7"}, {"verbose", "false"}, {"solver", "fast"}});
+  EXPECT_EQ(settings.Number("radius"), 1e-3);
+  EXPECT_EQ(settings.Integer("threads"), 7);
+  EXPECT_FALSE(settings.Boolean("verbose"));
+  EXPECT_EQ(settings.Choice("solver"), "fast");
+}
+
+TEST(Settings, HasTheDefaultsWhereNothingIsGiven) {
+  const Settings settings(kDescriptions, {});
+  EXPECT_EQ(settings.Number("radius"), 2.5);
+  EXPECT_EQ(settings.Integer("threads"), 3);
+  EXPECT_TRUE(settings.Boolean("verbose"));
+  EXPECT_EQ(settings.Choice("solver"), "slow");
+}
+
+TEST(Settings, RefusesValuesOfAnotherTypeOrOutOfRange) {
+  for (const char* text : {"", "x", "1x", "nan", "inf", "-1", "1 ", "TRUE"}) {
+    for (const char* name : {"radius", "share", "threads", "verbose", "solver"}) {
+      EXPECT_NE(ErrorOf(name, text), "no error") << name << " " << text;
+    }
+  }
+  EXPECT_EQ(ErrorOf("share", "1.5"), "setting share: expected a number from 0 to 1, got '1.5'");
+  EXPECT_EQ(ErrorOf("threads", "0"), "setting threads: expected an integer of at least 1, got '0'");
+  EXPECT_EQ(ErrorOf("threads", "1.5"),
+            "setting threads: expected an integer of at least 1, got '1.5'");
+  EXPECT_EQ(ErrorOf("solver", "fastest"),
+            "setting solver: expected one of slow, fast, got 'fastest'");
+}
+
+TEST(Settings, RefusesNamesThatAreNotDescribed) {
+  EXPECT_EQ(ErrorOf("slover", "fast"),
+            "unknown setting slover: expected one of radius, share, threads, verbose, solver");
+  EXPECT_THROW(Settings({}, {{"any", "1"}}), std::runtime_error);
+}
+
+TEST(Settings, TakesItForAnErrorOfTheProgrammerToReadWhatIsNotDescribed) {
+  const Settings settings(kDescriptions, {});
+  EXPECT_THROW(settings.Number("diameter"), std::logic_error);
+  EXPECT_THROW(settings.Integer("radius"), std::logic_error);
 }
 
 }  // namespace

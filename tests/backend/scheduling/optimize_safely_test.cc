@@ -130,5 +130,70 @@ TEST(OptimizeSafely, RecomputesTheCostsOfAGoodResult) {
   EXPECT_EQ(summary.final_cost, GraphCost(graph));
 }
 
+// What an optimizer was told.
+class RecordingOptimizer : public Optimizer {
+ public:
+  void CheckOptions(const Options& options) const override {
+    if (!options.settings.empty()) throw std::runtime_error("it has no settings");
+  }
+  Summary Optimize(const Options& options, std::span<const Edge>, std::span<Node> nodes) override {
+    told = options.initialization;
+    start = {nodes.begin(), nodes.end()};
+    return Converged();
+  }
+  Initialization told = Initialization::kAuto;
+  std::vector<Node> start;
+};
+
+TEST(OptimizeSafely, InitializesForTheOptimizer) {
+  PoseGraph graph = RandomGraph(3, {.measurement_noise = 0.01, .pose_noise = 2.0});
+  const auto expected = InitialPoses(Initialization::kSpanningTree, graph, IndexGraph(graph));
+  RecordingOptimizer optimizer;
+  Options options;
+  options.initialization = Initialization::kSpanningTree;
+  const Summary summary = OptimizeSafely(options, &optimizer, &graph);
+  EXPECT_EQ(optimizer.told, Initialization::kKeep);
+  for (std::size_t k = 0; k < graph.nodes.size(); ++k) {
+    EXPECT_EQ(optimizer.start[k].world_T_node, expected.value()[k]);
+  }
+  EXPECT_EQ(summary.final_cost, GraphCost(graph, IndexGraph(graph), *expected));
+}
+
+TEST(OptimizeSafely, KeepsGivenPosesThatCostLessThanWhatTheInitializationLeadsTo) {
+  PoseGraph graph = RandomGraph(3, {.measurement_noise = 0.1, .pose_noise = 0.0});
+  const PoseGraph before = graph;
+  const auto start = InitialPoses(Initialization::kOdometry, graph, IndexGraph(graph));
+  ASSERT_GT(GraphCost(graph, IndexGraph(graph), start.value()), GraphCost(graph));
+  RecordingOptimizer optimizer;
+  Options options;
+  options.initialization = Initialization::kOdometry;
+  const Summary summary = OptimizeSafely(options, &optimizer, &graph);
+  EXPECT_EQ(summary.termination, Termination::kConverged);
+  EXPECT_THAT(summary.message, HasSubstr("the given poses cost less and are kept"));
+  EXPECT_EQ(summary.final_cost, GraphCost(before));
+  EXPECT_EQ(PosesOf(graph), PosesOf(before));
+}
+
+TEST(OptimizeSafely, SaysWhereTheEdgesDoNotDetermineTheInitialization) {
+  PoseGraph graph = RandomGraph(3);
+  for (Edge& edge : graph.edges) edge.information.setZero();
+  RecordingOptimizer optimizer;
+  Options options;
+  options.initialization = Initialization::kChordal;
+  const Summary summary = OptimizeSafely(options, &optimizer, &graph);
+  EXPECT_THAT(summary.message, HasSubstr("do not determine the initialization chordal"));
+}
+
+TEST(OptimizeSafely, RefusesOptionsThatTheOptimizerRefuses) {
+  PoseGraph graph = RandomGraph(3);
+  RecordingOptimizer optimizer;
+  Options options;
+  options.settings = {{"any", "1"}};
+  const Summary summary = OptimizeSafely(options, &optimizer, &graph);
+  EXPECT_EQ(summary.termination, Termination::kFailure);
+  EXPECT_THAT(summary.message, HasSubstr("it has no settings"));
+  EXPECT_TRUE(optimizer.start.empty());
+}
+
 }  // namespace
 }  // namespace gmapping_spa::backend

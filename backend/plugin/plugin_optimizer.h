@@ -1,0 +1,41 @@
+// An optimizer on the other side of a plugin's boundary.
+#ifndef GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_OPTIMIZER_H_
+#define GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_OPTIMIZER_H_
+
+#include <span>
+#include <string>
+
+#include "backend/plugin/optimizer.h"
+#include "backend/plugin/plugin_abi.h"
+#include "backend/plugin/settings.h"
+
+namespace gmapping_spa::backend {
+
+std::span<const SettingDescription> SettingsOf(const GmappingSpaPlugin& plugin);
+
+// Names of the losses that the plugin supports, separated by commas.
+std::string LossesOf(const GmappingSpaPlugin& plugin);
+
+// Lets no exception of the plugin out of its constructor and destructor; those of Optimize are the
+// caller's (OptimizeSafely). Plugins made with plugin.h throw none.
+class PluginOptimizer : public Optimizer {
+ public:
+  // `plugin` must outlive the object; `path` is for messages. Throws std::runtime_error with one
+  // line when the plugin makes no optimizer.
+  PluginOptimizer(const std::string& path, const GmappingSpaPlugin& plugin);
+  ~PluginOptimizer() override;
+  PluginOptimizer(const PluginOptimizer&) = delete;
+  PluginOptimizer& operator=(const PluginOptimizer&) = delete;
+
+  void CheckOptions(const Options& options) const override;
+  Summary Optimize(const Options& options, std::span<const Edge> edges,
+                   std::span<Node> nodes) override;
+
+ private:
+  const GmappingSpaPlugin& plugin_;
+  void* optimizer_ = nullptr;
+};
+
+}  // namespace gmapping_spa::backend
+
+#endif  // GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_OPTIMIZER_H_

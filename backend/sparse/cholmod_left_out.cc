@@ -1,0 +1,18 @@
+// Stands for cholmod_solver.cc in a build without CHOLMOD, whose settings do not offer it.
+#include <stdexcept>
+
+#include "backend/sparse/cholmod_solver.h"
+
+namespace gmapping_spa::spa {
+
+struct CholmodSolver::Workspace {};
+
+CholmodSolver::CholmodSolver() = default;
+CholmodSolver::~CholmodSolver() = default;
+
+bool CholmodSolver::Solve(const BlockStructure& /*structure*/, const BlockMatrix& /*matrix*/,
+                          bool /*new_structure*/, std::vector<BlockVector<3>>* /*x*/) {
+  throw std::logic_error("built without CHOLMOD");
+}
+
+}  // namespace gmapping_spa::spa
