@@ -1,5 +1,6 @@
 """The metrics that a study can show: key, label, unit, and which direction is better."""
 import dataclasses
+import math
 from typing import Literal
 
 Direction = Literal["lower", "higher", "none"]
@@ -58,15 +59,28 @@ _TABLE = [
     ("map_corners", "corners", "", "none"),
     # Cost and counts.
     ("cpu_s", "CPU time", "s", "lower"),
-    ("wall_s", "time from start to end", "s", "lower"),
+    ("wall_s", "wall time", "s", "lower"),
     ("peak_memory_mb", "peak memory", "MB", "lower"),
     ("updates", "updates of the filter", "", "none"),
-    ("closures_accepted", "loop closures taken", "", "none"),
-    ("closures_rejected", "loop closures refused", "", "none"),
+    ("closures_accepted", "accepted loop closures", "", "none"),
+    ("closures_rejected", "rejected loop closures", "", "none"),
     ("scans", "scans", "", "none"),
 ]
 
 METRICS = {row[0]: Metric(*row) for row in _TABLE}
 
+# From 0 to 1; all other metrics are 0 or more.
+SHARES = {"map_missing", "map_extra", "map_precision", "map_recall", "map_iou", "map_known", "map_broken",
+          "map_missing_walls", "map_broken_walls", "map_corners_found", "obstacles_there",
+          "obstacles_complete"}
+
+
+def highest(key: str) -> float:
+    """The largest value that the metric can have."""
+    return 1.0 if key in SHARES else math.inf
+
+
 # Differ from one execution of the same run to the next.
 TIMES = {"cpu_s", "wall_s", "peak_memory_mb"}
+# Says how busy the machine was; stands in the table of single runs only.
+WALL_TIME = "wall_s"

@@ -1,5 +1,5 @@
 """A study with what its runs gave: the values of a metric by cell and seed."""
-from metrics import METRICS, TIMES
+from metrics import METRICS, TIMES, WALL_TIME
 
 from . import selection
 
@@ -57,3 +57,7 @@ class Measured:
     def cost_metrics(self):
         return [name for name in METRICS if name in TIMES
                 and any(self.exists(log, name) for log in self.logs())]
+
+    def compared_costs(self):
+        """Without the wall time, which depends on what else the machine does."""
+        return [name for name in self.cost_metrics() if name != WALL_TIME]

@@ -6,7 +6,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as pyplot
 from matplotlib.transforms import ScaledTranslation
-from metrics import METRICS
+from metrics import METRICS, highest
 
 from . import selection, statistics
 from .tables import heading
@@ -33,8 +33,8 @@ def plots(measured):
                 labels = ", ".join(METRICS[name].label for name in names)
                 found.append((
                     f"{labels} against {axis}, log {log}",
-                    "Lines join means, bars are their 95 % intervals, faint dots single runs. "
-                    "Failed runs have no dot.",
+                    f"Lines join means, bars are their 95 % intervals (none for fewer than "
+                    f"{statistics.FEW} runs), faint dots single runs. Failed runs have no dot.",
                     draw(measured, log, axis, names)))
     return found
 
@@ -99,7 +99,7 @@ def _draw_line(panel, measured, metric, label, points, style):
         runs = [v for v in measured.values(cell, metric).values() if v is not None]
         panel.plot([place] * len(runs), runs, alpha=0.3, markersize=3, markeredgewidth=0,
                    **{**style, "linestyle": "none"})
-        summary = statistics.summarize(runs)
+        summary = statistics.summarize(runs, 0.0, highest(metric))
         if runs:
             below, above = (0.0, 0.0) if summary.low is None else (
                 summary.mean - summary.low, summary.high - summary.mean)

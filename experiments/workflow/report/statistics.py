@@ -4,7 +4,8 @@ A value is a number, or None for a run that ended without one: it failed, or its
 the metric does not exist. A run without a value has no part in means (their counts say so); in the rank
 test it is worse than every run with a value.
 
-Intervals are Student's t intervals of the mean: no random numbers, honest (wide) for few runs.
+Intervals are Student's t intervals of the mean: no random numbers. They end where the possible values end,
+and there is none of fewer than FEW values, which says less than the values themselves.
 """
 import dataclasses
 import math
@@ -13,31 +14,31 @@ import numpy
 import scipy.stats
 
 CONFIDENCE = 0.95
+FEW = 5
 
 
 @dataclasses.dataclass(frozen=True)
 class Summary:
-    """Of the n_ok values among n_all runs. All others are None without a value; the interval and
-    the standard deviation (n - 1) are None with fewer than two."""
+    """Of the n_ok values among n_all runs. All others are None without a value; the standard
+    deviation (n - 1) with fewer than two, the interval of the mean, low to high, with fewer than FEW."""
     n_ok: int
     n_all: int
     mean: float | None = None
     std: float | None = None
     median: float | None = None
+    min: float | None = None
+    max: float | None = None
     low: float | None = None
     high: float | None = None
 
 
 @dataclasses.dataclass(frozen=True)
 class Comparison:
-    """Of a with b, by seed. The difference a - b is over the n_both pairs in which both have a
-    value; all below it is over all n_pairs. rank_sum is the sum of signed ranks, below 0 where a
-    does better, and p tells whether that can be chance."""
+    """Of a with b, by seed. The difference a - b is over the pairs in which both have a value; all
+    below it is over all n_pairs. rank_sum is the sum of signed ranks, below 0 where a does better, and
+    p tells whether that can be chance."""
     n_pairs: int
-    n_both: int
-    mean_difference: float | None
-    low: float | None
-    high: float | None
+    difference: Summary
     rank_sum: float
     p: float
     better: int
@@ -45,38 +46,29 @@ class Comparison:
     equal: int
 
 
-def interval_of_mean(values):
-    """The mean of two or more values, and the ends of its interval."""
-    mean = float(numpy.mean(values))
-    error = float(numpy.std(values, ddof=1)) / math.sqrt(len(values))
-    half = float(scipy.stats.t.ppf(0.5 + CONFIDENCE / 2, len(values) - 1)) * error
-    return mean, mean - half, mean + half
-
-
-def summarize(values):
+def summarize(values, lowest=-math.inf, highest=math.inf):
+    """lowest and highest bound what a value can be, and so its mean."""
     numbers = [v for v in values if v is not None]
     if not numbers:
         return Summary(0, len(values))
-    median = float(numpy.median(numbers))
-    if len(numbers) == 1:
-        return Summary(1, len(values), mean=float(numbers[0]), median=median)
-    mean, low, high = interval_of_mean(numbers)
-    std = float(numpy.std(numbers, ddof=1))
-    return Summary(len(numbers), len(values), mean, std, median, low, high)
+    n, mean = len(numbers), float(numpy.mean(numbers))
+    std = float(numpy.std(numbers, ddof=1)) if n > 1 else None
+    low = high = None
+    if n >= FEW:
+        half = float(scipy.stats.t.ppf(0.5 + CONFIDENCE / 2, n - 1)) * std / math.sqrt(n)
+        low, high = max(lowest, mean - half), min(highest, mean + half)
+    return Summary(n, len(values), mean, std, float(numpy.median(numbers)), float(min(numbers)),
+                   float(max(numbers)), low, high)
 
 
-def compare(a, b, lower_is_better):
-    """a and b map seeds to values; the seeds of both make pairs."""
+def compare(a, b, lower_is_better, span=math.inf):
+    """a and b map seeds to values; the seeds of both make pairs. span is the largest difference that
+    two values can have."""
     seeds = sorted(a.keys() & b.keys())
-    differences = [a[s] - b[s] for s in seeds if a[s] is not None and b[s] is not None]
+    differences = [None if a[s] is None or b[s] is None else a[s] - b[s] for s in seeds]
     losses = [loss(a[s], b[s], lower_is_better) for s in seeds]
-    mean = low = high = None
-    if len(differences) == 1:
-        mean = float(differences[0])
-    elif differences:
-        mean, low, high = interval_of_mean(differences)
     return Comparison(
-        n_pairs=len(seeds), n_both=len(differences), mean_difference=mean, low=low, high=high,
+        n_pairs=len(seeds), difference=summarize(differences, -span, span),
         rank_sum=rank_sum(losses), p=signed_rank_p(losses), better=sum(x < 0 for x in losses),
         worse=sum(x > 0 for x in losses), equal=sum(x == 0 for x in losses))
 

@@ -65,10 +65,15 @@ def p_value(p):
     return Shown("< 0.0001" if p < 1e-4 else f"{p:.4f}", p)
 
 
-def with_interval(mean, low, high, digits=3):
-    if mean is None:
+def mean_or_median(summary, digits=3):
+    """`mean (low to high)` with the interval of the mean; of values too few for one `median [min, max]`,
+    and a single value alone."""
+    if summary.mean is None:
         return Shown("–", None)
-    shown = f"{mean:.{digits}g}"
-    if low is not None:
-        shown += f" ({low:.{digits}g} to {high:.{digits}g})"
-    return Shown(shown, mean)
+    middle = summary.median if summary.low is None else summary.mean
+    shown = f"{middle:.{digits}g}"
+    if summary.low is not None:
+        shown += f" ({summary.low:.{digits}g} to {summary.high:.{digits}g})"
+    elif summary.n_ok > 1:
+        shown += f" [{summary.min:.{digits}g}, {summary.max:.{digits}g}]"
+    return Shown(shown, middle)

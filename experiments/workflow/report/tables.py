@@ -1,9 +1,9 @@
 """The tables of a study. What depends on the machine's load stands in tables of its own (`cost`),
 so that all others are the same, byte for byte, when the study is run again."""
-from metrics import METRICS, TIMES
+from metrics import METRICS, TIMES, highest
 
 from . import selection, statistics
-from .table import Shown, Table, p_value, with_interval
+from .table import Shown, Table, mean_or_median, p_value
 
 
 def heading(name):
@@ -25,11 +25,11 @@ def overview(measured):
     rows = []
     for cell in measured.study.cells:
         summaries = [_summary(measured, cell, name) for name in names]
-        rows.append([*_identity(cell), _ended(measured, cell), *map(_mean, summaries)])
+        rows.append([*_identity(cell), _successful(measured, cell), *map(mean_or_median, summaries)])
     return Table(
         f"{measured.study.name}_overview",
-        f"{measured.study.title}: mean over the runs that ended well (95 % interval of the mean)",
-        [*_identity_header(measured), "runs ended well",
+        f"{measured.study.title}: {_statistic(measured)}",
+        [*_identity_header(measured), "successful runs",
          *(heading(m) for m in names)], rows)
 
 
@@ -45,8 +45,10 @@ def by_log(measured):
     heads = [f"{log}: {heading(main[log])}" for log in logs]
     return Table(
         f"{measured.study.name}_by_log",
-        f"{measured.study.title}: median over the runs that ended well, and the worst of them, and how "
-        "many of their maps are broken (IoU below 0.5), if any",
+        f"{measured.study.title}: " + (
+            _statistic(measured) if len(measured.study.seeds) == 1 else
+            "median over the successful runs, and the worst of them, and how many of their maps are "
+            "broken (IoU below 0.5), if any"),
         [*(name for name, _ in next(iter(rows))), *heads],
         [[*(value for _, value in within),
           *(_median_and_worst(measured, by_log[log], main[log]) for log in logs)]
@@ -78,13 +80,14 @@ def cells(measured):
             if measured.exists(cell.log, name):
                 s = _summary(measured, cell, name)
                 rows.append([*_identity(cell), name, METRICS[name].unit, s.n_ok, s.n_all,
-                             s.mean, s.std, s.median, s.low, s.high])
+                             s.mean, s.std, s.median, s.min, s.max, s.low, s.high])
     return Table(
         f"{measured.study.name}_cells",
         f"{measured.study.title}: all metrics. Runs with a value, all runs, and over those with a "
-        "value: mean, standard deviation, median, 95 % interval of the mean",
+        "value: mean, standard deviation, median, least, greatest, 95 % interval of the mean, of "
+        f"{statistics.FEW} values or more",
         [*_identity_header(measured), "metric", "unit", "n with value", "n", "mean",
-         "standard deviation", "median", "interval from", "to"], rows)
+         "standard deviation", "median", "min", "max", "interval from", "to"], rows)
 
 
 def comparisons(measured):
@@ -95,26 +98,26 @@ def comparisons(measured):
 
 def cost_comparisons(measured):
     """The same pairs by what they cost."""
-    return _comparisons(measured, measured.cost_metrics(), "cost_comparisons")
+    return _comparisons(measured, measured.compared_costs(), "cost_comparisons")
 
 
 def _comparisons(measured, names, name):
     found = [(a, b, metric, statistics.compare(
                   measured.values(a, metric), measured.values(b, metric),
-                  METRICS[metric].better == "lower"))
+                  METRICS[metric].better == "lower", highest(metric)))
              for selectors in measured.study.compare
              for a, b in selection.pairs(measured.study, *selectors) for metric in names
              if METRICS[metric].better != "none" and measured.exists(a.log, metric)]
     corrected = statistics.holm([comparison.p for *_, comparison in found])
     rows = [[*selection.labels_of_pair(a, b), heading(metric),
-             with_interval(c.mean_difference, c.low, c.high), f"{c.n_both} of {c.n_pairs}",
+             mean_or_median(c.difference), f"{c.difference.n_ok} of {c.n_pairs}",
              f"{c.better} / {c.worse} / {c.equal}", p_value(c.p), p_value(p)]
             for (a, b, metric, c), p in zip(found, corrected)]
     return Table(
         f"{measured.study.name}_{name}",
-        f"{measured.study.title}: A with B, paired by seed. Mean difference A - B over the pairs "
-        "in which both have a value (95 % interval); over all pairs, with failed runs as the worst: "
-        "seeds on which A is better, worse, equal, and p of Wilcoxon's signed-rank test, as it is "
+        f"{measured.study.title}: A with B, paired by seed. Difference A - B over the pairs in which "
+        f"both have a value, {_statistic(measured, over='')}. Over all pairs, with failed runs as the worst: seeds "
+        "on which A is better, worse, equal, and p of Wilcoxon's signed-rank test, as it is "
         f"and with Holm's correction for the {len(rows)} tests of this table",
         ["where", "A", "B", "metric", "A - B", "pairs", "better / worse / equal", "p", "p (Holm)"],
         rows)
@@ -142,13 +145,12 @@ def runs(measured):
 
 
 def cost(measured):
-    names = measured.cost_metrics()
-    rows = [[*_identity(cell), *(_mean(_summary(measured, cell, name)) for name in names)]
+    names = measured.compared_costs()
+    rows = [[*_identity(cell), *(mean_or_median(_summary(measured, cell, name)) for name in names)]
             for cell in measured.study.cells]
     return Table(
         f"{measured.study.name}_cost",
-        f"{measured.study.title}: cost of a run, mean over the runs that ended well (95 % interval "
-        "of the mean)",
+        f"{measured.study.title}: cost of a run, {_statistic(measured)}",
         [*_identity_header(measured), *(heading(m) for m in names)], rows)
 
 
@@ -170,14 +172,20 @@ def _identity(cell):
 
 
 def _summary(measured, cell, name):
-    return statistics.summarize(list(measured.values(cell, name).values()))
+    return statistics.summarize(list(measured.values(cell, name).values()), 0.0, highest(name))
 
 
-def _mean(summary):
-    return with_interval(summary.mean, summary.low, summary.high)
+def _statistic(measured, over=" over the successful runs"):
+    """What mean_or_median shows of this study, for captions."""
+    if len(measured.study.seeds) == 1:
+        return "single runs, of one seed"
+    if len(measured.study.seeds) < statistics.FEW:
+        return f"median{over} [min, max]"
+    return (f"mean{over} (95 % interval of the mean); of fewer than {statistics.FEW} values "
+            "median [min, max]")
 
 
-def _ended(measured, cell):
+def _successful(measured, cell):
     results = [measured.result(cell, seed) for seed in measured.study.seeds]
     good = sum(r is not None and not r.failed() for r in results)
     return Shown(f"{good} of {len(results)}", good)

@@ -14,14 +14,31 @@ from report import statistics
 
 class SummarizeTest(unittest.TestCase):
     def test_hand_computed(self):
-        summary = statistics.summarize([2.0, 4.0, 6.0, 12.0])
-        self.assertEqual((summary.n_ok, summary.n_all), (4, 4))
+        summary = statistics.summarize([2.0, 4.0, 5.0, 6.0, 13.0])
+        self.assertEqual((summary.n_ok, summary.n_all), (5, 5))
         self.assertEqual((summary.mean, summary.median), (6.0, 5.0))
-        # Squared deviations 16 + 4 + 0 + 36 = 56 over n - 1 = 3; t(0.975, 3) = 3.182446.
-        self.assertAlmostEqual(summary.std, math.sqrt(56 / 3))
-        half = 3.182446 * math.sqrt(56 / 3) / 2
+        self.assertEqual((summary.min, summary.max), (2.0, 13.0))
+        # Squared deviations 16 + 4 + 1 + 0 + 49 = 70 over n - 1 = 4; t(0.975, 4) = 2.776445.
+        self.assertAlmostEqual(summary.std, math.sqrt(70 / 4))
+        half = 2.776445 * math.sqrt(70 / 4 / 5)
         self.assertAlmostEqual(summary.low, 6 - half, places=5)
         self.assertAlmostEqual(summary.high, 6 + half, places=5)
+
+    def test_fewer_than_five_values_have_no_interval(self):
+        summary = statistics.summarize([2.0, 4.0, 6.0, 12.0])
+        self.assertEqual((summary.mean, summary.median, summary.min, summary.max),
+                         (6.0, 5.0, 2.0, 12.0))
+        self.assertIsNotNone(summary.std)
+        self.assertIsNone(summary.low)
+        self.assertIsNone(summary.high)
+
+    def test_interval_ends_where_the_possible_values_end(self):
+        values = [0.0, 0.0, 0.0, 0.0, 1.0]  # of a share; half of the interval is 0.56
+        self.assertLess(statistics.summarize(values).low, 0.0)
+        summary = statistics.summarize(values, lowest=0.0, highest=1.0)
+        self.assertEqual(summary.low, 0.0)
+        self.assertEqual(summary.high, statistics.summarize(values).high)
+        self.assertEqual(statistics.summarize([1.0 - v for v in values], 0.0, 1.0).high, 1.0)
 
     def test_failed_runs_are_counted_and_have_no_part_in_the_mean(self):
         summary = statistics.summarize([1.0, None, 3.0])
@@ -29,7 +46,7 @@ class SummarizeTest(unittest.TestCase):
 
     def test_one_value_has_no_interval(self):
         summary = statistics.summarize([1.5, None])
-        self.assertEqual((summary.mean, summary.median), (1.5, 1.5))
+        self.assertEqual((summary.mean, summary.median, summary.min, summary.max), (1.5,) * 4)
         self.assertIsNone(summary.low)
         self.assertIsNone(summary.std)
 
@@ -50,26 +67,31 @@ class CompareTest(unittest.TestCase):
         b = {1: 2.0, 2: 4.0, 3: 4.0, 4: 3.0}
         comparison = statistics.compare(a, b, lower_is_better=True)
         self.assertEqual((comparison.better, comparison.worse, comparison.equal), (2, 1, 1))
-        self.assertEqual(comparison.mean_difference, 0.0)
+        self.assertEqual(comparison.difference.mean, 0.0)
         # Ranks 1, 2 (negative) and 3 (positive): the sums 3 and 3 are the likeliest of all.
         self.assertEqual(comparison.p, 1.0)
 
     def test_where_higher_is_better_the_larger_value_wins(self):
         comparison = statistics.compare({1: 0.9, 2: 0.8}, {1: 0.5, 2: 0.6}, lower_is_better=False)
         self.assertEqual((comparison.better, comparison.worse), (2, 0))
-        self.assertAlmostEqual(comparison.mean_difference, 0.3)
+        self.assertAlmostEqual(comparison.difference.mean, 0.3)
 
     def test_pairs_are_made_by_seed(self):
         comparison = statistics.compare({1: 1.0, 2: 5.0}, {2: 7.0, 3: 0.0}, lower_is_better=True)
-        self.assertEqual((comparison.n_pairs, comparison.mean_difference), (1, -2.0))
+        self.assertEqual((comparison.n_pairs, comparison.difference.mean), (1, -2.0))
+
+    def test_difference_of_shares_stays_between_minus_one_and_one(self):
+        a, b = dict(enumerate([0.0, 0.0, 0.0, 0.0, 1.0])), dict.fromkeys(range(5), 1.0)
+        self.assertLess(statistics.compare(a, b, lower_is_better=True).difference.low, -1.0)
+        self.assertEqual(statistics.compare(a, b, lower_is_better=True, span=1.0).difference.low, -1.0)
 
     def test_failed_run_is_worst_in_ranks_and_left_out_of_the_mean(self):
         a = {1: None, 2: 1.0, 3: 1.0, 4: None}
         b = {1: 9.0, 2: 2.0, 3: 4.0, 4: None}
         comparison = statistics.compare(a, b, lower_is_better=True)
-        self.assertEqual((comparison.n_pairs, comparison.n_both), (4, 2))
+        self.assertEqual((comparison.n_pairs, comparison.difference.n_ok), (4, 2))
         self.assertEqual((comparison.better, comparison.worse, comparison.equal), (2, 1, 1))
-        self.assertEqual(comparison.mean_difference, -2.0)
+        self.assertEqual(comparison.difference.mean, -2.0)
         # Same ranks as with a finite difference larger than all others.
         self.assertEqual(comparison.p, statistics.signed_rank_p([100.0, -1.0, -3.0]))
 

@@ -4,8 +4,9 @@ import io
 import unittest
 
 import report_fixture
+import metrics
 from report import statistics, tables
-from report.table import Shown, Table, text
+from report.table import Shown, Table, mean_or_median, text
 
 
 def records(table):
@@ -23,6 +24,28 @@ class TableTest(unittest.TestCase):
         self.assertEqual(self.TABLE.markdown(), (
             "Caption\n\n| name | value |\n| --- | --- |\n| a\\|b | 0.1235 |\n| c | – |\n"
             "| d | 1 (0 to 2) |\n"))
+
+
+class MeanOrMedianTest(unittest.TestCase):
+    def shown(self, *values):
+        return mean_or_median(statistics.summarize(list(values), lowest=0.0)).text
+
+    def test_five_runs_show_the_mean_with_its_interval(self):
+        self.assertEqual(self.shown(1.0, 1.0, 1.0, 1.0, 1.0), "1 (1 to 1)")
+        self.assertEqual(self.shown(0.0, 0.0, 0.0, 0.0, 500.0), "100 (0 to 378)")
+
+    def test_fewer_runs_show_the_median_and_the_range(self):
+        self.assertEqual(self.shown(160.0, 100.0, 100.0), "100 [100, 160]")
+        self.assertEqual(self.shown(1.5, None), "1.5")
+
+    def test_no_run_shows_a_dash(self):
+        self.assertEqual(self.shown(None, None), "–")
+
+
+class MetricsTest(unittest.TestCase):
+    def test_shares_are_metrics_and_have_no_unit(self):
+        for name in metrics.SHARES:
+            self.assertEqual(metrics.METRICS[name].unit, "", name)
 
 
 class TablesTest(report_fixture.ResultsTestCase):
@@ -71,7 +94,7 @@ class TablesTest(report_fixture.ResultsTestCase):
         found = self.cell_record("improved", 5, "map_blur_m")
         self.assertEqual((found["n with value"], found["n"]), ("5", "6"))
         overview = records(self.tables()["overview"])
-        self.assertEqual([r["runs ended well"] for r in overview],
+        self.assertEqual([r["successful runs"] for r in overview],
                          ["6 of 6", "6 of 6", "6 of 6", "5 of 6"])
         failed = [r for r in records(self.tables()["runs"]) if r["exit status"] == "1"]
         self.assertEqual([(r["seed"], r["error"], r["map_blur_m"]) for r in failed],
@@ -114,6 +137,23 @@ class TablesTest(report_fixture.ResultsTestCase):
         self.results.fail(self.results.run("improved", 5, 2))
         row = records(self.tables()["comparisons"])[0]
         self.assertEqual((row["better / worse / equal"], row["pairs"]), ("5 / 1 / 0", "5 of 6"))
+
+    def test_captions_say_what_is_shown(self):
+        for seeds, caption in (("1-6", "mean over the successful runs (95 % interval of the mean)"),
+                               ("1-4", "median over the successful runs [min, max]"),
+                               ("1", "single runs, of one seed")):
+            self.results.study_file.write_text(
+                report_fixture.STUDY.replace("seeds: 1-6", f"seeds: {seeds}"))
+            self.results.study = self.results.load()
+            for name in ("overview", "cost"):
+                self.assertIn(caption, self.tables()[name].caption)
+
+    def test_wall_time_is_shown_of_single_runs_only(self):
+        run = self.results.run("improved", 5, 2)
+        self.results.write_scores(run, {"cpu_s": 2.0, "wall_s": 99.0})
+        self.assertIn("wall_s", self.tables()["run_costs"].header)
+        for name in ("cost", "cost_comparisons", "overview"):
+            self.assertNotIn("wall time", self.tables()[name].markdown())
 
     def test_costs_stand_in_tables_of_their_own(self):
         before = {name: table.csv() for name, table in self.tables().items()}
