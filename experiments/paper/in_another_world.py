@@ -38,31 +38,32 @@ def parse_arguments() -> argparse.Namespace:
     return args
 
 
-def simulated_logs(study: dict) -> list[dict]:
+def simulated_datasets(study: dict) -> list[dict]:
     """Of the study and its quick version, which names what differs only."""
-    entries = [*study.get("logs", {}).values(), *study.get("quick", {}).get("logs", {}).values()]
-    return [log for log in entries if isinstance(log, dict) and "carmen" not in log]
+    entries = [entry for part in (study, study.get("quick", {}))
+               for entry in part.get("datasets", {}).values()]
+    return [entry for entry in entries if isinstance(entry, dict) and "carmen" not in entry]
 
 
 def move(study: dict, args: argparse.Namespace) -> None:
-    """Each log of the study gets the world, and its tour instead of the paper's long or short one."""
+    """Each dataset of the study gets the world, and its tour instead of the paper's long or short one."""
     study["title"] += f" (world {args.world.stem})"
     study["description"] = (f"In the world {args.world.name} instead of the paper's building. What the "
                             f"study says of that: {study['description']}")
-    for log in simulated_logs(study):
-        log.pop("path", None)
-        if "world" in log:
-            log |= {"world": str(args.world), "path": str(args.path)}
-        if "obstacles" in log and args.obstacles:
-            log["obstacles"] = str(args.obstacles)
+    for dataset in simulated_datasets(study):
+        dataset.pop("path", None)
+        if "world" in dataset:
+            dataset |= {"world": str(args.world), "path": str(args.path)}
+        if "obstacles" in dataset and args.obstacles:
+            dataset["obstacles"] = str(args.obstacles)
 
 
-def drive(log: dict, binaries: pathlib.Path) -> None:
+def drive(dataset: dict, binaries: pathlib.Path) -> None:
     """One tour with a coarse laser; ends with the simulator's message when that fails."""
-    words = [f"--{key}={log[key]}" for key in ("world", "path", "obstacles") if key in log]
+    words = [f"--{key}={dataset[key]}" for key in ("world", "path", "obstacles") if key in dataset]
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run(
-            [binaries / "simulate", *words, *flags.as_arguments(log.get("simulate", {})),
+            [binaries / "simulate", *words, *flags.as_arguments(dataset.get("simulate", {})),
              "--angular_resolution=30", f"--output_dir={folder}"], capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit((done.stderr.strip().splitlines() or ["simulate failed without a word"])[-1])
@@ -72,15 +73,15 @@ def main() -> None:
     args = parse_arguments()
     studies = {file: yaml.safe_load(file.read_text()) for file in args.studies}
     runnable = [file for file, study in studies.items() if args.obstacles or not any(
-        "obstacles" in log for log in simulated_logs(study))]
+        "obstacles" in dataset for dataset in simulated_datasets(study))]
     for study in studies.values():
         move(study, args)
     driven = []
     for file in runnable:
-        for log in simulated_logs(studies[file]):
-            if "world" in log and log not in driven:
-                drive(log, args.bin)
-                driven.append(log)
+        for dataset in simulated_datasets(studies[file]):
+            if "world" in dataset and dataset not in driven:
+                drive(dataset, args.bin)
+                driven.append(dataset)
     args.output.mkdir(parents=True, exist_ok=True)
     for file, study in studies.items():
         (args.output / file.name).write_text(yaml.safe_dump(study, sort_keys=False, width=100))

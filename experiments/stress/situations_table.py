@@ -64,13 +64,13 @@ def entry(errors: list[tuple[float | None, float | None]],
 
 def situations(measured, bounds: dict[str, tuple[float, float]]) -> Table:
     rows: dict[str, dict[str, Shown | None]] = {}
-    judged = {(run.cell.log, run.cell.label()): is_judged(run) for run in measured.study.runs}
-    for cell in measured.study.cells:
-        setting = cell.label().removeprefix(f"{cell.log}, ")
-        metres = measured.values(cell, "ate_rmse_m")
-        degrees = measured.values(cell, "heading_rmse_deg")
-        bound = bounds[cell.log] if judged[cell.log, cell.label()] else None
-        rows.setdefault(cell.log, {})[setting] = entry(
+    judged = {run.configuration.label(): is_judged(run) for run in measured.study.runs}
+    for config in measured.study.configurations:
+        setting = config.label().removeprefix(f"{config.dataset}, ")
+        metres = measured.values(config, "ate_rmse_m")
+        degrees = measured.values(config, "heading_rmse_deg")
+        bound = bounds[config.dataset] if judged[config.label()] else None
+        rows.setdefault(config.dataset, {})[setting] = entry(
             [(metres[seed], degrees[seed]) for seed in metres], bound)
     settings = list(dict.fromkeys(setting for row in rows.values() for setting in row))
     return Table(
@@ -80,8 +80,8 @@ def situations(measured, bounds: dict[str, tuple[float, float]]) -> Table:
         "Failed is a run that ended with an error, or whose RMSE of position or heading is above the "
         "bound; *in italics* what is not judged, since errors of the wheels remain.",
         ["situation", "bound", *settings],
-        [[log, f"{bounds[log][0]:g} m, {bounds[log][1]:g} deg", *(row.get(s) for s in settings)]
-         for log, row in rows.items()])
+        [[situation, f"{bounds[situation][0]:g} m, {bounds[situation][1]:g} deg",
+          *(row.get(s) for s in settings)] for situation, row in rows.items()])
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -102,7 +102,7 @@ def main() -> None:
     output = args.output or args.work_dir / "report" / "tables"
     try:
         study = load_study(args.study, args.bin, args.data, args.quick)
-        bounds = read_bounds(BOUNDS, list(dict.fromkeys(cell.log for cell in study.cells)))
+        bounds = read_bounds(BOUNDS, list(dict.fromkeys(c.dataset for c in study.configurations)))
         table = situations(measure(study, args.work_dir), bounds)
         table.write(output)
     except (StudyError, OSError) as error:

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""Writes the table "what it survives" of a study of stressed logs, as Markdown and CSV.
+"""Writes the table "what it survives" of a study of stressed datasets, as Markdown and CSV.
 
     survival.py STUDY.yaml --work_dir=RESULTS [--quick] [--output=FOLDER]
 
-A row a stress, a column a log: the mean error of the relations (median over the seeds, the worst in
-brackets), and how many seeds failed. Who failed: a run that ended with an error or without a score,
-and one whose error is above the limit, which is a multiple of what the same log gives unstressed.
+A row a stress, a column a dataset: the mean error of the relations (median over the seeds, the worst
+in brackets), and how many seeds failed. Who failed: a run that ended with an error or without a score,
+and one whose error is above the limit, which is a multiple of what the same dataset gives unstressed.
 """
 import argparse
 import os
@@ -16,7 +16,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "experiments" / "workflow"))
 
-from logs import UNSTRESSED
+from datasets import UNSTRESSED
 from make_report import measure
 from report.table import Shown, Table
 from study import StudyError, load_study
@@ -34,10 +34,10 @@ def limit_m(kind: str, unstressed_m: float) -> float:
     return max(multiple * unstressed_m, unstressed_m + AT_LEAST_M)
 
 
-def log_and_kind(cell) -> tuple[str, str]:
-    """Logs with a list of stresses are called 'NAME KIND'."""
-    log, _, kind = cell.log.rpartition(" ")
-    return log, kind
+def dataset_and_kind(config) -> tuple[str, str]:
+    """Datasets with a list of stresses are called 'NAME KIND'."""
+    dataset, _, kind = config.dataset.rpartition(" ")
+    return dataset, kind
 
 
 def entry(errors_m: list[float | None], limit: float | None) -> Shown | None:
@@ -53,22 +53,22 @@ def entry(errors_m: list[float | None], limit: float | None) -> Shown | None:
 
 def survival(measured) -> Table:
     rows, unstressed = {}, {}
-    for cell in measured.study.cells:
-        log, kind = log_and_kind(cell)
-        setting = tuple((k, v) for k, v in cell.coordinates().items() if k != "log" and v != "")
-        errors_m = list(measured.values(cell, METRIC).values())
-        rows.setdefault((kind, setting), {})[log] = errors_m
+    for config in measured.study.configurations:
+        dataset, kind = dataset_and_kind(config)
+        setting = tuple((k, v) for k, v in config.coordinates().items() if k != "dataset" and v != "")
+        errors_m = list(measured.values(config, METRIC).values())
+        rows.setdefault((kind, setting), {})[dataset] = errors_m
         good = [error for error in errors_m if error is not None]
         if kind == UNSTRESSED and good:
-            unstressed[setting, log] = statistics.median(good)
-    logs = list(dict.fromkeys(log_and_kind(cell)[0] for cell in measured.study.cells))
+            unstressed[setting, dataset] = statistics.median(good)
+    datasets = list(dict.fromkeys(dataset_and_kind(c)[0] for c in measured.study.configurations))
     table = []
-    for (kind, setting), by_log in rows.items():
+    for (kind, setting), by_dataset in rows.items():
         entries = []
-        for log in logs:
-            plain_m = unstressed.get((setting, log))
+        for dataset in datasets:
+            plain_m = unstressed.get((setting, dataset))
             limit = None if plain_m is None else limit_m(kind, plain_m)
-            entries.append(entry(by_log.get(log, []), limit))
+            entries.append(entry(by_dataset.get(dataset, []), limit))
         table.append([kind, *(value for _, value in setting), *entries])
     settings = [name for name, _ in next(iter(rows))[1]]
     return Table(
@@ -78,7 +78,7 @@ def survival(measured) -> Table:
         "Failed is a run that ended with an error, or one whose error is above "
         f"{MULTIPLE:g} x the unstressed median, or {1000 * AT_LEAST_M:g} mm more if that is more; "
         f"above {MULTIPLE_OF_POOR_SIGHT:g} x for {', '.join(sorted(POOR_SIGHT))}.",
-        ["stress", *settings, *logs], table)
+        ["stress", *settings, *datasets], table)
 
 
 def parse_arguments() -> argparse.Namespace:
@@ -99,10 +99,10 @@ def main() -> None:
     output = args.output or args.work_dir / "report" / "tables"
     try:
         study = load_study(args.study, args.bin, args.data, args.quick)
-        for cell in study.cells:
-            if not all(log_and_kind(cell)):
-                raise StudyError(f"{args.study}: log '{cell.log}': expected a list of stresses, "
-                                 "found none")
+        for config in study.configurations:
+            if not all(dataset_and_kind(config)):
+                raise StudyError(f"{args.study}: dataset '{config.dataset}': expected a list of "
+                                 "stresses, found none")
         table = survival(measure(study, args.work_dir))
         table.write(output)
     except (StudyError, OSError) as error:

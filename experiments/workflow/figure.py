@@ -1,11 +1,11 @@
 """Figures of maps in rows and columns, as a study asks for them:
 
     figures:
-      - {title: Maps, rows: variant, columns: particles, log: building, where: {backend: spa},
+      - {title: Maps, rows: variant, columns: particles, dataset: building, where: {backend: spa},
          runs: [median, worst]}
 
-`log` and `where` are needed only where there is more than one cell at a place. `runs` are those that are
-shown side by side of each cell; without it, the median run.
+`dataset` and `where` are needed only where there is more than one configuration at a place. `runs` are
+those that are shown side by side of each configuration; without it, the median run.
 """
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from typing import Any
 
 from yaml_entry import Entry, did_you_mean
 
-KEYS = ["title", "rows", "columns", "log", "where", "runs"]
+KEYS = ["title", "rows", "columns", "dataset", "where", "runs"]
 RUNS = ["median", "worst"]
 
 
 @dataclasses.dataclass(frozen=True)
 class Figure:
-    """`rows` and `columns` name coordinates of cells; `selector` holds the others to one value."""
+    """`rows` and `columns` name coordinates of configurations; `selector` holds the others to one value."""
     title: str
     rows: str
     columns: str
@@ -28,11 +28,11 @@ class Figure:
     runs: list[str]
 
     def grid(self, study) -> tuple[list, list, dict]:
-        """Values of the rows, of the columns, and the cell at (row, column)."""
-        cells = {(c.coordinates()[self.rows], c.coordinates()[self.columns]): c
+        """Values of the rows, of the columns, and the configuration at (row, column)."""
+        configs = {(c.coordinates()[self.rows], c.coordinates()[self.columns]): c
                  for c in study.select(self.selector)}
-        rows, columns = (list(dict.fromkeys(place[k] for place in cells)) for k in (0, 1))
-        return rows, columns, cells
+        rows, columns = (list(dict.fromkeys(place[k] for place in configs)) for k in (0, 1))
+        return rows, columns, configs
 
 
 def read_figures(entry: Entry, study) -> list[Figure]:
@@ -44,23 +44,24 @@ def _read_figure(entry: Entry, study) -> Figure:
     for name in ("title", "rows", "columns"):
         if name not in parts:
             entry.fail(f"'{name}' is missing")
-    known = study.cells[0].coordinates()
+    known = study.configurations[0].coordinates()
     for name in ("rows", "columns"):
         value = parts[name].text()
         if value not in known:
             parts[name].fail(f"'{value}' is no axis of the study{did_you_mean(value, known)}")
     selector = {name: value.scalar() for name, value in parts["where"].mapping(known).items()} \
         if "where" in parts else {}
-    if "log" in parts:
-        selector["log"] = parts["log"].text()
+    if "dataset" in parts:
+        selector["dataset"] = parts["dataset"].text()
     runs = [_read_run(run) for run in parts["runs"].sequence()] if "runs" in parts else ["median"]
     figure = Figure(parts["title"].text(), parts["rows"].text(), parts["columns"].text(), selector,
                     runs)
-    cells = study.select(selector)
-    if not cells:
-        entry.fail("selects no cell of the study")
-    if len(figure.grid(study)[2]) < len(cells):
-        entry.fail("has more than one cell at a place; 'log' and 'where: {AXIS: VALUE}' choose one")
+    configs = study.select(selector)
+    if not configs:
+        entry.fail("selects no configuration of the study")
+    if len(figure.grid(study)[2]) < len(configs):
+        entry.fail("has more than one configuration at a place; 'dataset' and 'where: {AXIS: VALUE}' "
+                   "choose one")
     return figure
 
 

@@ -23,7 +23,7 @@ def make_plan(studies: list[Study], binaries: pathlib.Path, data: pathlib.Path,
 def _run(run: Run) -> dict[str, Any]:
     threads = [word.partition("=")[2] for word in run.argv if word.startswith("--threads=")]
     return {
-        "label": f"{run.cell.label()}, seed {run.seed}",
+        "label": f"{run.configuration.label()}, seed {run.seed}",
         "log_id": run.log_id,
         "log_file": str(run.log_file) if run.log_file else None,
         "relations": str(run.relations) if run.relations else None,

@@ -6,23 +6,23 @@ import itertools
 import pathlib
 from typing import Any
 
+import datasets
 import flags
 import ids
-import logs
+from dataset_kinds import Dataset, RecordedDataset, SimulatedDataset
 from figure import Figure, read_figures
-from log_sources import CarmenLog, Log, SimulatedLog
 from metrics import METRICS
 from yaml_entry import Entry, StudyError, did_you_mean, read_yaml
 
-__all__ = ["Cell", "Run", "Study", "StudyError", "load_study"]
+__all__ = ["Configuration", "Run", "Study", "StudyError", "load_study"]
 
-FLAGS = logs.ROOT / "experiments" / "flags"
-KEYS = ["title", "description", "logs", "seeds", "flags", "variants", "axes", "metrics", "compare",
-        "figures"]
-LOG_KEYS = ["carmen", "stress", "size", "world", "path", "obstacles", "simulate"]
+FLAGS = datasets.ROOT / "experiments" / "flags"
+KEYS = ["title", "description", "datasets", "seeds", "flags", "variants", "axes", "metrics",
+        "compare", "figures"]
+DATASET_KEYS = ["carmen", "stress", "size", "world", "path", "obstacles", "simulate"]
 SIMULATE = "simulate."  # begins the name of an axis over a flag of the simulator
 RESERVED = {
-    "log": "the study's 'logs'",
+    "log": "the study's 'datasets'",
     "seed": "the study's 'seeds'",
     "output_dir": "the workflow",
 }
@@ -35,26 +35,26 @@ class Variant:
 
 
 @dataclasses.dataclass(frozen=True)
-class Cell:
-    """One log, one variant, one value of each axis: what the seeds of a comparison share."""
-    log: str
+class Configuration:
+    """One dataset, one variant, one value of each axis: what the seeds of a comparison share."""
+    dataset: str
     variant: str
     axes: dict[str, flags.Value]
 
     def label(self) -> str:
         values = [f"{name}={flags.as_text(value)}" for name, value in self.axes.items()]
-        return ", ".join([self.log, *([self.variant] if self.variant else []), *values])
+        return ", ".join([self.dataset, *([self.variant] if self.variant else []), *values])
 
     def coordinates(self) -> dict[str, Any]:
-        """What a selector can name: log, variant and axes."""
-        return {"log": self.log, "variant": self.variant, **self.axes}
+        """What a selector can name: dataset, variant and axes."""
+        return {"dataset": self.dataset, "variant": self.variant, **self.axes}
 
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """A cell with a seed."""
+    """A configuration with a seed."""
     id: str
-    cell: Cell
+    configuration: Configuration
     seed: int
     log_id: str | None  # of a log that is made for the study
     log_tool: str | None  # that makes it, with these arguments and those for its output
@@ -73,13 +73,13 @@ class Study:
     metrics: list[str]
     compare: list[tuple[dict[str, Any], dict[str, Any]]]
     figures: list[Figure]
-    cells: list[Cell]
+    configurations: list[Configuration]
     seeds: list[int]
     runs: list[Run]
 
-    def select(self, selector: dict[str, Any]) -> list[Cell]:
-        """The cells with these coordinates."""
-        return [cell for cell in self.cells if selector.items() <= cell.coordinates().items()]
+    def select(self, selector: dict[str, Any]) -> list[Configuration]:
+        """The configurations with these coordinates."""
+        return [c for c in self.configurations if selector.items() <= c.coordinates().items()]
 
 
 def load_study(path: pathlib.Path, binaries: pathlib.Path, data: pathlib.Path,
@@ -98,89 +98,91 @@ class _Reader:
         self.root = read_yaml(path)
         parts = self.root.mapping([*KEYS, "quick"])
         changes = parts.pop("quick").mapping(KEYS) if "quick" in parts else {}
-        log_parts = self._log_parts(parts)
-        self.full = self._study(parts, log_parts, compared_must_exist=True)
-        log_parts = _merged(log_parts, self._log_parts(changes))
-        self.quick = self._study(parts | changes, log_parts,
+        dataset_parts = self._dataset_parts(parts)
+        self.full = self._study(parts, dataset_parts, compared_must_exist=True)
+        dataset_parts = _merged(dataset_parts, self._dataset_parts(changes))
+        self.quick = self._study(parts | changes, dataset_parts,
                                  compared_must_exist="compare" in changes)
 
-    def _log_parts(self, parts: dict[str, Entry]) -> dict[str, tuple[Entry, dict[str, Entry]]]:
-        """Each log's entry and its parts; none for `null`, which leaves a log out when quick."""
-        if "logs" not in parts:
+    def _dataset_parts(self, parts: dict[str, Entry]) -> dict[str, tuple[Entry, dict[str, Entry]]]:
+        """Each dataset's entry and its parts; none for `null`, which leaves one out when quick."""
+        if "datasets" not in parts:
             return {}
         found = {}
-        for name, entry in parts["logs"].mapping().items():
-            if name == logs.EVERY:
-                found |= logs.every_recorded_log(entry, self.data)
+        for name, entry in parts["datasets"].mapping().items():
+            if name == datasets.EVERY:
+                found |= datasets.every_recorded_dataset(entry, self.data)
             else:
-                found[name] = (entry, {} if entry.is_null() else entry.mapping(LOG_KEYS))
+                found[name] = (entry, {} if entry.is_null() else entry.mapping(DATASET_KEYS))
         return found
 
-    def _study(self, parts: dict[str, Entry], log_parts: dict[str, tuple[Entry, dict[str, Entry]]],
+    def _study(self, parts: dict[str, Entry],
+               dataset_parts: dict[str, tuple[Entry, dict[str, Entry]]],
                compared_must_exist: bool) -> Study:
-        for key in ("title", "logs", "seeds", "metrics"):
+        for key in ("title", "datasets", "seeds", "metrics"):
             if key not in parts:
                 self.root.fail(f"'{key}' is missing")
-        sources = self._sources(log_parts)
+        sources = self._sources(dataset_parts)
         if not sources:
-            parts["logs"].fail("expected one log or more, found none")
+            parts["datasets"].fail("expected one dataset or more, found none")
         common = self._slam_flags(parts["flags"]) if "flags" in parts else {}
         variants = self._variants(parts["variants"]) if "variants" in parts else {
             "": Variant(None, {})}
         axes = self._axes(parts["axes"], sources, common, variants) if "axes" in parts else {}
         seeds = _seeds(parts["seeds"])
-        cells = [Cell(log, variant, dict(zip(axes, values)))
-                 for log in sources for variant in variants
-                 for values in itertools.product(*axes.values())]
+        configurations = [Configuration(dataset, variant, dict(zip(axes, values)))
+                          for dataset in sources for variant in variants
+                          for values in itertools.product(*axes.values())]
         study = Study(
             name=self.path.stem, path=self.path, title=parts["title"].text(),
             description=parts["description"].text().strip() if "description" in parts else "",
-            metrics=_metrics(parts["metrics"]), compare=[], figures=[], cells=cells,
-            seeds=seeds,
-            runs=[_run(cell, seed, sources[cell.log], common, variants[cell.variant])
-                  for cell in cells for seed in seeds])
+            metrics=_metrics(parts["metrics"]), compare=[], figures=[],
+            configurations=configurations, seeds=seeds,
+            runs=[_run(c, seed, sources[c.dataset], common, variants[c.variant])
+                  for c in configurations for seed in seeds])
         if "compare" in parts:
             study.compare.extend(_compare(parts["compare"], study, compared_must_exist))
         if "figures" in parts:
             study.figures.extend(read_figures(parts["figures"], study))
         return study
 
-    def _sources(self, log_parts: dict[str, tuple[Entry, dict[str, Entry]]]) -> dict[str, Log]:
-        sources: dict[str, Log] = {}
-        for name, (entry, below) in log_parts.items():
-            found = logs.read_logs(name, entry, below, self.data, self.simulator_flags)
+    def _sources(
+            self, dataset_parts: dict[str, tuple[Entry, dict[str, Entry]]]) -> dict[str, Dataset]:
+        sources: dict[str, Dataset] = {}
+        for name, (entry, below) in dataset_parts.items():
+            found = datasets.read_datasets(name, entry, below, self.data, self.simulator_flags)
             for twice in found.keys() & sources.keys():
-                entry.fail(f"the log '{twice}' is there twice")
+                entry.fail(f"the dataset '{twice}' is there twice")
             sources |= found
         return sources
 
     def _slam_flags(self, entry: Entry) -> dict[str, flags.Value]:
-        return logs.read_flag_values(entry, self.slam_flags, RESERVED)
+        return datasets.read_flag_values(entry, self.slam_flags, RESERVED)
 
     def _variants(self, entry: Entry) -> dict[str, Variant]:
         variants = {}
         known = {**self.slam_flags, "flagfile": "string"}
         for name, below in entry.mapping().items():
-            values = logs.read_flag_values(below, known, RESERVED)
+            values = datasets.read_flag_values(below, known, RESERVED)
             file = None
             if values.pop("flagfile", None):
-                file = logs.find_file(below.mapping()["flagfile"], self.path.parent, FLAGS)
+                file = datasets.find_file(below.mapping()["flagfile"], self.path.parent, FLAGS)
             variants[name] = Variant(file, values)
         if not variants:
             entry.fail("expected one variant or more, found none")
         return variants
 
-    def _axes(self, entry: Entry, sources: dict[str, Log],
+    def _axes(self, entry: Entry, sources: dict[str, Dataset],
               common: dict[str, flags.Value],
               variants: dict[str, Variant]) -> dict[str, list[flags.Value]]:
         axes = {}
         for name, values in entry.mapping().items():
             if name.startswith(SIMULATE):
                 flag, known, reserved = (
-                    name.removeprefix(SIMULATE), self.simulator_flags, logs.RESERVED)
-                for log, source in sources.items():
-                    if not isinstance(source, SimulatedLog):
-                        values.fail(f"is for simulated logs; '{log}' is a recorded one")
+                    name.removeprefix(SIMULATE), self.simulator_flags, datasets.RESERVED)
+                for dataset, source in sources.items():
+                    if not isinstance(source, SimulatedDataset):
+                        values.fail(f"is for simulated datasets; '{dataset}' is a recorded one")
             else:
                 flag, known, reserved = name, self.slam_flags, RESERVED
                 for label, others in [("'flags'", common)] + [
@@ -194,10 +196,10 @@ class _Reader:
         return axes
 
 
-def _merged(logs_above: dict, logs_quick: dict) -> dict:
-    """Quick logs by name over those above; the flags of `simulate` are merged as well."""
-    merged = dict(logs_above)
-    for name, (entry, parts) in logs_quick.items():
+def _merged(full: dict, quick: dict) -> dict:
+    """Quick datasets by name over those above; the flags of `simulate` are merged as well."""
+    merged = dict(full)
+    for name, (entry, parts) in quick.items():
         if entry.is_null():
             merged.pop(name, None)
             continue
@@ -246,40 +248,40 @@ def _compare(entry: Entry, study: Study,
         missing = [side for side, selector in zip(pair.sequence(), sides)
                    if not study.select(selector)]
         if missing and must_exist:
-            missing[0].fail("selects no cell of the study")
+            missing[0].fail("selects no configuration of the study")
         if not missing:
             pairs.append((sides[0], sides[1]))
     return pairs
 
 
 def _selector(entry: Entry, study: Study) -> dict[str, Any]:
-    known = list(study.cells[0].coordinates())
+    known = list(study.configurations[0].coordinates())
     selector = {}
     for name, value in entry.mapping(known).items():
         as_written = value.scalar()
         # As the axis has it: 1 for 1.0, and the text of a flag whose value looks like a number.
         selector[name] = next(
-            (v for v in {c.coordinates()[name] for c in study.cells}
+            (v for v in {c.coordinates()[name] for c in study.configurations}
              if v == as_written or flags.as_text(v) == value.text()), as_written)
     return selector
 
 
-def _run(cell: Cell, seed: int, source: Log,
+def _run(config: Configuration, seed: int, source: Dataset,
          common: dict[str, flags.Value], variant: Variant) -> Run:
     slam = common | variant.flags | {
-        name: value for name, value in cell.axes.items() if not name.startswith(SIMULATE)}
+        name: value for name, value in config.axes.items() if not name.startswith(SIMULATE)}
     argv = [*([f"--flagfile={variant.flagfile}"] if variant.flagfile else []),
             *flags.as_arguments(slam), f"--seed={seed}"]
-    if isinstance(source, SimulatedLog):
+    if isinstance(source, SimulatedDataset):
         source = dataclasses.replace(source, flags=source.flags | {
-            name.removeprefix(SIMULATE): value for name, value in cell.axes.items()
+            name.removeprefix(SIMULATE): value for name, value in config.axes.items()
             if name.startswith(SIMULATE)})
     log = source.content_id(seed)
-    recorded = isinstance(source, CarmenLog)
+    recorded = isinstance(source, RecordedDataset)
     return Run(
         id=ids.content_id(log, flags.as_arguments(slam),
                           ids.file_hash(variant.flagfile) if variant.flagfile else None, seed),
-        cell=cell, seed=seed,
+        configuration=config, seed=seed,
         log_id=None if recorded else log,
         log_tool=source.tool,
         log_argv=None if recorded else source.argv(seed),

@@ -8,6 +8,8 @@ from typing import Any, NoReturn
 
 import yaml
 
+FORMER_NAMES = {"log": "dataset", "logs": "datasets", "says": "statement"}  # of keys
+
 
 class StudyError(Exception):
     """What is wrong with a study, in one line: file, line, what was expected, what was found."""
@@ -37,6 +39,8 @@ class Entry:
             key = Entry(key_node, self.file, self.what)
             name = key.text()
             if known is not None and name not in known:
+                if FORMER_NAMES.get(name) in known:
+                    key.fail(f"'{name}' is called '{FORMER_NAMES[name]}' now")
                 key.fail(f"unknown key '{name}'{did_you_mean(name, known)}")
             if name in entries:
                 key.fail(f"'{name}' is there twice")

@@ -4,7 +4,7 @@
     source: where the claims come from
     claims:
       - place: where the paper says it
-        says: the claim
+        statement: the claim
         tests:
           ALGORITHM:
             - study: NAME
@@ -12,7 +12,7 @@
               metrics: [NAME, ...]
               expect: better
 
-A claim gets a verdict for each algorithm that is taken for the one that the paper speaks of: an author's
+A claim gets a verdict for each algorithm that may be the one that the paper speaks of: an author's
 text and our program may differ. `expect` is of A: better (than B), or "not worse by 10 %" (of B), or
 "not worse by 0.1" (in the metric's unit).
 """
@@ -57,7 +57,7 @@ class Claim:
     """Of one algorithm; claims that share a number are one claim of the paper."""
     number: int
     place: str
-    says: str
+    statement: str
     algorithm: str
     tests: list[Test]
 
@@ -82,13 +82,13 @@ def _read_claims(file, studies):
     parts = _parts(root, ["title", "source", "claims"])
     read = []
     for number, entry in enumerate(parts["claims"].sequence(), 1):
-        below = _parts(entry, ["place", "says", "tests"])
+        below = _parts(entry, ["place", "statement", "tests"])
         for algorithm, tests in below["tests"].mapping().items():
             found = [t for test in tests.sequence() for t in _read_tests(test, studies)]
             if not found:
                 tests.fail("expected one test or more, found none")
             if all(found):
-                read.append(Claim(number, below["place"].text(), below["says"].text(), algorithm,
+                read.append(Claim(number, below["place"].text(), below["statement"].text(), algorithm,
                                   found))
     return Claims(parts["title"].text(), parts["source"].text(), read)
 
@@ -116,7 +116,7 @@ def _read_tests(entry, studies):
     study, sides = studies[name], parts["compare"].sequence()
     if len(sides) != 2:
         parts["compare"].fail(f"expected two selectors, found {len(sides)}")
-    coordinates = study.cells[0].coordinates()
+    coordinates = study.configurations[0].coordinates()
     a, b = ({axis: value.scalar() for axis, value in side.mapping(coordinates).items()}
             for side in sides)
     try:

@@ -1,7 +1,7 @@
 """Maps side by side: in rows and columns as the study's figures say, else one after the other."""
 import dataclasses
 
-from study import Cell
+from study import Configuration
 
 from . import pictures, selection, shown_run
 from .tables import heading
@@ -35,10 +35,10 @@ def galleries(measured, scores):
     """Of the maps, each followed by the same layout of error maps where there are some.
 
     scores is the folder of <run id>.error_map.png."""
-    for title, log, columns, rows in _layouts(measured):
+    for title, dataset, columns, rows in _layouts(measured):
         runs = {place: _result(measured, place) for _, places in rows for place in places}
         with_worst = any(place.which == "worst" for place in runs)
-        rule = shown_run.rule(measured, log, with_worst)
+        rule = shown_run.rule(measured, dataset, with_worst)
         yield Gallery(title, f"{MAPS} {rule}", columns, _map_rows(rows, runs, measured))
         errors = {place: scores / f"{r.run.id}.error_map.png" for place, r in runs.items() if r}
         if any(file.exists() for file in errors.values()):
@@ -49,25 +49,26 @@ def galleries(measured, scores):
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class _Place:
-    """What a panel shows: `cell` is None where there is none, `which` is a name of shown_run."""
-    cell: Cell | None
+    """What a panel shows: `configuration` is None where there is none, `which` is a name of shown_run."""
+    configuration: Configuration | None
     which: str
 
 
 def _layouts(measured):
-    """(title, log, names of columns, [(name of row, places)])."""
+    """(title, dataset, names of columns, [(name of row, places)])."""
     study = measured.study
     for figure in study.figures:
-        rows, columns, cells = figure.grid(study)
-        log = next(iter(cells.values())).log
-        yield (figure.title, log, [_column(figure, c, which) for c in columns for which in figure.runs],
+        rows, columns, configs = figure.grid(study)
+        dataset = next(iter(configs.values())).dataset
+        yield (figure.title, dataset,
+               [_column(figure, c, which) for c in columns for which in figure.runs],
                [(selection.label({figure.rows: r}),
-                 [_Place(cells.get((r, c)), which) for c in columns for which in figure.runs])
+                 [_Place(configs.get((r, c)), which) for c in columns for which in figure.runs])
                 for r in rows])
     if not study.figures:
-        for log in measured.logs():
-            yield f"Maps, log {log}", log, [], [
-                ("", [_Place(c, "median") for c in study.cells if c.log == log])]
+        for dataset in measured.datasets():
+            yield f"Maps, dataset {dataset}", dataset, [], [
+                ("", [_Place(c, "median") for c in study.configurations if c.dataset == dataset])]
 
 
 def _column(figure, value, which):
@@ -76,8 +77,9 @@ def _column(figure, value, which):
 
 
 def _result(measured, place):
-    seed = shown_run.seed_of(measured, place.cell, place.which) if place.cell else None
-    return None if seed is None else measured.result(place.cell, seed)
+    config = place.configuration
+    seed = shown_run.seed_of(measured, config, place.which) if config else None
+    return None if seed is None else measured.result(config, seed)
 
 
 def _map_rows(rows, runs, measured):
@@ -86,34 +88,34 @@ def _map_rows(rows, runs, measured):
     box = pictures.common_box(maps.values())
 
     def panel(place):
-        cell, result = place.cell, runs[place]
+        config, result = place.configuration, runs[place]
         if place not in maps or box is None:
             return _no_picture(place, result)
-        metric = measured.main_metric(cell.log)
-        value = measured.values(cell, metric)[result.run.seed] if metric else None
+        metric = measured.main_metric(config.dataset)
+        value = measured.values(config, metric)[result.run.seed] if metric else None
         shown = "" if value is None else f": {heading(metric)} {value:.3g}"
-        return Panel(f"{selection.label_within_log(cell)}, seed {result.run.seed}{shown}",
-                     f"Map of {cell.label()}, seed {result.run.seed}",
+        return Panel(f"{selection.label_within_dataset(config)}, seed {result.run.seed}{shown}",
+                     f"Map of {config.label()}, seed {result.run.seed}",
                      pictures.map_png(maps[place].window(box)))
 
     return [(name, [panel(place) for place in places]) for name, places in rows]
 
 
 def _error_panel(place, runs, files):
-    cell, result = place.cell, runs[place]
+    config, result = place.configuration, runs[place]
     file = files.get(place)
     if file is None or not file.exists():
         return _no_picture(place, result)
-    return Panel(f"{selection.label_within_log(cell)}, seed {result.run.seed}",
-                 f"Errors of the map of {cell.label()}, seed {result.run.seed}",
+    return Panel(f"{selection.label_within_dataset(config)}, seed {result.run.seed}",
+                 f"Errors of the map of {config.label()}, seed {result.run.seed}",
                  pictures.error_png(file))
 
 
 def _no_picture(place, result):
-    if place.cell is None:
+    if place.configuration is None:
         return Panel("not part of the study", "", None)
+    name = selection.label_within_dataset(place.configuration)
     if result is None:
-        return Panel(f"{selection.label_within_log(place.cell)}: runs are missing", "", None)
+        return Panel(f"{name}: runs are missing", "", None)
     what = "failed" if result.failed() else "has no picture"
-    return Panel(f"{selection.label_within_log(place.cell)}, seed {result.run.seed}: the {place.which} "
-                 f"run {what}", "", None)
+    return Panel(f"{name}, seed {result.run.seed}: the {place.which} run {what}", "", None)

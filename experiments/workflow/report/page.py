@@ -38,7 +38,7 @@ def _study(measured, tables, scores):
         "description": study.description,
         "design": _design(study),
         "tables": tables,
-        "failures": [(r.run.cell.label(), r.run.seed, r.outcome["error"])
+        "failures": [(r.run.configuration.label(), r.run.seed, r.outcome["error"])
                      for r in measured.failed],
         "plots": [(title, text, data_uri(svg.encode(), "image/svg+xml"))
                   for title, text, svg in plots.plots(measured)],
@@ -49,13 +49,14 @@ def _study(measured, tables, scores):
 def _design(study):
     """(name, values) of what the study varies."""
     axes = {}
-    for cell in study.cells:
-        for name, value in cell.coordinates().items():
+    for config in study.configurations:
+        for name, value in config.coordinates().items():
             axes.setdefault(name, {})[value] = None
     return [(name, ", ".join(map(as_text, values))) for name, values in axes.items() if
             list(values) != [""]] + [
         ("seeds", ", ".join(map(str, study.seeds))),
-        ("runs", f"{len(study.cells)} cells x {len(study.seeds)} seeds = {len(study.runs)}")]
+        ("runs", f"{len(study.configurations)} configurations x {len(study.seeds)} seeds = "
+                 f"{len(study.runs)}")]
 
 
 def _gallery(gallery):

@@ -24,29 +24,29 @@ SHIFT_POINTS = 5  # between the lines of a panel
 
 
 def plots(measured):
-    """(title, description, SVG) for each axis and log."""
+    """(title, description, SVG) for each axis and dataset."""
     found = []
     for axis in axes_to_plot(measured.study):
-        for log in measured.logs():
-            names = [m for m in measured.shown_metrics() if measured.exists(log, m)]
+        for dataset in measured.datasets():
+            names = [m for m in measured.shown_metrics() if measured.exists(dataset, m)]
             if names:
                 labels = ", ".join(METRICS[name].label for name in names)
                 found.append((
-                    f"{labels} against {axis}, log {log}",
+                    f"{labels} against {axis}, dataset {dataset}",
                     f"Lines join means, bars are their 95 % intervals (none for fewer than "
                     f"{statistics.FEW} runs), faint dots single runs. Failed runs have no dot.",
-                    draw(measured, log, axis, names)))
+                    draw(measured, dataset, axis, names)))
     return found
 
 
 def axes_to_plot(study):
     """Those with more than one value; the variants where there is no other."""
-    axes = [axis for axis in study.cells[0].axes
-            if len({cell.axes[axis] for cell in study.cells}) > 1]
-    return axes or (["variant"] if len({cell.variant for cell in study.cells}) > 1 else [])
+    axes = [axis for axis in study.configurations[0].axes
+            if len({config.axes[axis] for config in study.configurations}) > 1]
+    return axes or (["variant"] if len({c.variant for c in study.configurations}) > 1 else [])
 
 
-def draw(measured, log, axis, names):
+def draw(measured, dataset, axis, names):
     columns = min(COLUMNS, len(names))
     rows = -(-len(names) // columns)
     with matplotlib.rc_context(STYLE):
@@ -56,7 +56,7 @@ def draw(measured, log, axis, names):
         for panel in panels.flat[len(names):]:
             panel.set_visible(False)
         for name, panel in zip(names, panels.flat):
-            _draw_panel(panel, measured, log, axis, name)
+            _draw_panel(panel, measured, dataset, axis, name)
         handles, labels = panels[0, 0].get_legend_handles_labels()
         if len(labels) > 1:
             figure.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, 0),
@@ -67,17 +67,17 @@ def draw(measured, log, axis, names):
     return out.getvalue()
 
 
-def _draw_panel(panel, measured, log, axis, metric):
-    cells = [cell for cell in measured.study.cells if cell.log == log]
-    values = list(dict.fromkeys(cell.coordinates()[axis] for cell in cells))
+def _draw_panel(panel, measured, dataset, axis, metric):
+    configs = [config for config in measured.study.configurations if config.dataset == dataset]
+    values = list(dict.fromkeys(config.coordinates()[axis] for config in configs))
     numeric = all(isinstance(v, (int, float)) and not isinstance(v, bool) for v in values)
     if numeric:
         values.sort()
     places = dict(zip(values, values if numeric else range(len(values))))
     lines = {}
-    for cell in cells:
-        rest = {k: v for k, v in cell.coordinates().items() if k not in ("log", axis)}
-        lines.setdefault(selection.label(rest), []).append(cell)
+    for config in configs:
+        rest = {k: v for k, v in config.coordinates().items() if k not in ("dataset", axis)}
+        lines.setdefault(selection.label(rest), []).append(config)
     for k, (label, line) in enumerate(lines.items()):
         # Side by side, so that intervals of one place do not hide each other.
         shift = ScaledTranslation((k - (len(lines) - 1) / 2) * SHIFT_POINTS / 72, 0,
@@ -85,7 +85,7 @@ def _draw_panel(panel, measured, log, axis, metric):
         style = {"color": COLORS[k % len(COLORS)], "marker": MARKERS[k % len(MARKERS)],
                  "linestyle": "solid" if numeric else "none",
                  "transform": panel.transData + shift}
-        points = sorted(((places[cell.coordinates()[axis]], cell) for cell in line),
+        points = sorted(((places[config.coordinates()[axis]], config) for config in line),
                         key=lambda point: point[0])
         _draw_line(panel, measured, metric, label or "all", points, style)
     _set_scale(panel, values, numeric)
@@ -95,8 +95,8 @@ def _draw_panel(panel, measured, log, axis, metric):
 
 def _draw_line(panel, measured, metric, label, points, style):
     means = []
-    for place, cell in points:
-        runs = [v for v in measured.values(cell, metric).values() if v is not None]
+    for place, config in points:
+        runs = [v for v in measured.values(config, metric).values() if v is not None]
         panel.plot([place] * len(runs), runs, alpha=0.3, markersize=3, markeredgewidth=0,
                    **{**style, "linestyle": "none"})
         summary = statistics.summarize(runs, 0.0, highest(metric))

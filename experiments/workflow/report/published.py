@@ -1,8 +1,8 @@
-"""What others report on the same logs, beside our runs: published.yaml in the folder of the studies.
+"""What others report on the same datasets, beside our runs: published.yaml in the studies' folder.
 
     - system: NAME
       source: where the numbers come from
-      LOG: {translation_m: [mean, std], rotation_deg: [mean, std]}    # std and rotation: if known
+      DATASET: {translation_m: [mean, std], rotation_deg: [mean, std]}    # std and rotation: if known
 """
 from yaml_entry import read_yaml
 
@@ -16,40 +16,41 @@ OURS = (("relation_error_m", "relation_std_m"), ("relation_rotation_deg", None))
 
 
 def tables_beside(measured):
-    """A row a system and cell, a column a log with relations; nothing without such a file or log."""
+    """A row a system and configuration, a column a dataset with relations; nothing without such a file
+    or dataset."""
     published = read_beside(measured.study)
-    logs = [log for log in measured.logs() if measured.exists(log, OURS[0][0])]
-    if not published or not logs:
+    datasets = [dataset for dataset in measured.datasets() if measured.exists(dataset, OURS[0][0])]
+    if not published or not datasets:
         return {}
-    rows = [[system, source, *(by_log.get(log) for log in logs)]
-            for system, source, by_log in published]
-    cells = {}
-    for cell in measured.study.cells:
-        within = {k: v for k, v in cell.coordinates().items() if k != "log"}
-        cells.setdefault(label(within), {})[cell.log] = cell
-    rows += [[name, "this study", *(_ours(measured, by_log.get(log)) for log in logs)]
-             for name, by_log in cells.items()]
+    rows = [[system, source, *(by_dataset.get(dataset) for dataset in datasets)]
+            for system, source, by_dataset in published]
+    configs = {}
+    for config in measured.study.configurations:
+        within = {k: v for k, v in config.coordinates().items() if k != "dataset"}
+        configs.setdefault(label(within), {})[config.dataset] = config
+    rows += [[name, "this study", *(_ours(measured, by_dataset.get(dataset)) for dataset in datasets)]
+             for name, by_dataset in configs.items()]
     return {"published": Table(
         f"{measured.study.name}_published",
         f"{measured.study.title}: error of the relations, mean ± standard deviation over the "
         "relations in m / mean rotation in degrees. Of this study: means of these over "
         f"{len(measured.study.seeds)} seeds",
-        ["system", "source", *logs], rows)}
+        ["system", "source", *datasets], rows)}
 
 
 def read_beside(study):
-    """(system, source, what it reports by log) from the folder of the study."""
+    """(system, source, what it reports by dataset) from the folder of the study."""
     file = study.path.parent / FILE
     return [_read_system(entry) for entry in read_yaml(file).sequence()] if file.exists() else []
 
 
 def _read_system(entry):
-    by_log = entry.mapping()
+    by_dataset = entry.mapping()
     for key in ("system", "source"):
-        if key not in by_log:
+        if key not in by_dataset:
             entry.fail(f"'{key}' is missing")
-    system, source = (by_log.pop(key).text() for key in ("system", "source"))
-    return system, source, {log: _read(below) for log, below in by_log.items()}
+    system, source = (by_dataset.pop(key).text() for key in ("system", "source"))
+    return system, source, {dataset: _read(below) for dataset, below in by_dataset.items()}
 
 
 def _read(entry):
@@ -66,12 +67,12 @@ def _read(entry):
     return _shown(mean, *(std or [None]), numbers.get("rotation_deg", [None])[0])
 
 
-def _ours(measured, cell):
-    if cell is None:
+def _ours(measured, config):
+    if config is None:
         return None
     (mean, std), (rotation, _) = (
         [None if name is None else
-         statistics.summarize(list(measured.values(cell, name).values())).mean for name in names]
+         statistics.summarize(list(measured.values(config, name).values())).mean for name in names]
         for names in OURS)
     return None if mean is None else _shown(mean, std, rotation)
 

@@ -25,11 +25,11 @@ HEADER = ["claim", "algorithm", "study", "where", "A", "B", "metric", "mean A", 
 
 @dataclasses.dataclass
 class Finding:
-    """What one test found on one pair of cells."""
+    """What one test found on one pair of configurations."""
     claim: Claim
     test: Test
-    cell_a: Any
-    cell_b: Any
+    config_a: Any
+    config_b: Any
     mean_a: float | None
     mean_b: float | None
     comparison: statistics.Comparison
@@ -44,7 +44,7 @@ class Finding:
         return f"{self.comparison.better} / {self.comparison.worse} / {self.comparison.equal}"
 
     def line(self):
-        where, a, b = selection.labels_of_pair(self.cell_a, self.cell_b)
+        where, a, b = selection.labels_of_pair(self.config_a, self.config_b)
         mean_a, mean_b = ("no value" if mean is None else f"{mean:.3g}"
                           for mean in (self.mean_a, self.mean_b))
         return (f"{heading(self.test.metric)}, {where}. {a}: {mean_a}; {b}: {mean_b}. "
@@ -90,7 +90,7 @@ def judge(claims, measured):
         each = [f.verdict() for f in own]
         verdict = of_claim(each)
         judged.append((claim, verdict, [f.line() for f in own]))
-        rows.append([claim.number, claim.place, claim.says, claim.algorithm,
+        rows.append([claim.number, claim.place, claim.statement, claim.algorithm,
                      Shown(verdict, VERDICTS.index(verdict)),
                      f"{each.count('supported')} / {each.count('not supported')} / "
                      f"{each.count('undecided')}"])
@@ -112,17 +112,17 @@ def of_claim(of_tests):
 
 def _findings(claim, test, measured):
     lower = METRICS[test.metric].better == "lower"
-    for cell_a, cell_b in selection.pairs(measured.study, test.a, test.b):
-        a, b = (measured.values(cell, test.metric) for cell in (cell_a, cell_b))
+    for config_a, config_b in selection.pairs(measured.study, test.a, test.b):
+        a, b = (measured.values(config, test.metric) for config in (config_a, config_b))
         worsened = {seed: test.expectation.worsened(value, lower) for seed, value in b.items()}
         mean_a, mean_b = (statistics.summarize(list(side.values())).mean for side in (a, b))
-        yield Finding(claim, test, cell_a, cell_b, mean_a, mean_b,
+        yield Finding(claim, test, config_a, config_b, mean_a, mean_b,
                       statistics.compare(a, worsened, lower))
 
 
 def _row(finding):
     return [finding.claim.number, finding.claim.algorithm, finding.test.study,
-            *selection.labels_of_pair(finding.cell_a, finding.cell_b),
+            *selection.labels_of_pair(finding.config_a, finding.config_b),
             heading(finding.test.metric), finding.mean_a, finding.mean_b,
             finding.test.expectation.text, finding.seeds(), p_value(finding.comparison.p),
             p_value(finding.p), Shown(finding.verdict(), VERDICTS.index(finding.verdict()))]

@@ -48,7 +48,7 @@ class InAnotherWorldTest(workflow_test_case.WorkflowTestCase):
         return [[load_study(file, BINARIES, self.folder, quick) for file in files]
                 for quick in (False, True)]
 
-    def test_every_log_is_of_that_world_and_claims_still_fit(self):
+    def test_every_dataset_is_of_that_world_and_claims_still_fit(self):
         for studies in self.moved(f"--world={self.world}"):
             checks.check(studies)
             names = {study.name for study in studies}

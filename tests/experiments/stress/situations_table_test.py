@@ -18,7 +18,7 @@ from yaml_entry import read_yaml
 
 STUDY = """
 title: Situations
-logs:
+datasets:
   exact: {world: paper_building.yaml, simulate: {wheels: exact}}
   noisy: {world: paper_building.yaml}
 seeds: 1-3
@@ -51,7 +51,8 @@ class SituationResults(report_fixture.Results):
             super().__init__(folder, STUDY)
 
     def write(self, run):
-        metres, degrees = self.errors[run.cell.log, run.cell.variant][run.seed - 1]
+        config = run.configuration
+        metres, degrees = self.errors[config.dataset, config.variant][run.seed - 1]
         folder = self.work / "runs" / run.id
         folder.mkdir(parents=True, exist_ok=True)
         report_fixture.write_json(folder / "outcome.json", {"exit_status": int(metres is None)})
@@ -97,7 +98,7 @@ class SituationsTableTest(unittest.TestCase):
     def test_all_situations_have_bounds_and_all_bounds_a_situation(self):
         names = set()
         for study in ("situations.yaml", "situations_particles.yaml"):
-            names |= read_yaml(STRESS / study).mapping()["logs"].mapping().keys()
+            names |= read_yaml(STRESS / study).mapping()["datasets"].mapping().keys()
         self.assertEqual(
             situations_table.read_bounds(situations_table.BOUNDS, sorted(names)).keys(), names)
 

@@ -15,7 +15,7 @@ from report.table import text
 
 STUDY = """
 title: Stressed
-logs:
+datasets:
   hall: {carmen: hall, stress: [none, late, thin]}
 seeds: 1-3
 flags: {particles: 5}
@@ -36,7 +36,7 @@ class HallResults(report_fixture.Results):
         super().__init__(folder, STUDY)
 
     def write(self, run):
-        error_m = self.errors_m[run.cell.log.split()[1]][run.seed - 1]
+        error_m = self.errors_m[run.configuration.dataset.split()[1]][run.seed - 1]
         folder = self.work / "runs" / run.id
         folder.mkdir(parents=True, exist_ok=True)
         report_fixture.write_json(folder / "outcome.json", {"exit_status": int(error_m is None)})
@@ -89,7 +89,7 @@ class SurvivalTest(unittest.TestCase):
         self.results.study_file.write_text(STUDY.replace("[none, late, thin]", "late"))
         done = subprocess.run(words, capture_output=True, text=True)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("log 'hall': expected a list of stresses", done.stderr)
+        self.assertIn("dataset 'hall': expected a list of stresses", done.stderr)
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ from study import load_study
 STUDY = """
 title: Few particles
 description: Plain against improved on a made-up building.
-logs:
+datasets:
   building: {world: paper_building.yaml}
 seeds: 1-6
 variants:
@@ -71,8 +71,9 @@ class Results:
             "log_command": f"build/bin/simulate --seed={run.seed}",
             "version": "0.1.0, build 00", "processor": "Made-up processor", **outcome})
         write_json(folder / "run.json", {"flags": {}})
-        self.write_scores(run, {"map_blur_m": blur, "map_recall": 1 - blur, "closures_accepted": 3,
-                                "cpu_s": 2.0 * run.cell.axes["particles"], "ate_rmse_m": None})
+        self.write_scores(run, {
+            "map_blur_m": blur, "map_recall": 1 - blur, "closures_accepted": 3,
+            "cpu_s": 2.0 * run.configuration.axes["particles"], "ate_rmse_m": None})
         self._write_map(run, folder)
 
     def write_scores(self, run, scores):
@@ -91,8 +92,9 @@ class Results:
         (self.work / "scores" / f"{run.id}.json").unlink()
 
     def run(self, variant, particles, seed):
-        return next(r for r in self.study.runs if r.seed == seed and r.cell.variant == variant
-                    and r.cell.axes["particles"] == particles)
+        return next(r for r in self.study.runs if r.seed == seed
+                    and r.configuration.variant == variant
+                    and r.configuration.axes["particles"] == particles)
 
     def report(self, *flags, output="report"):
         """make_report.py as a user calls it."""
@@ -129,8 +131,8 @@ class Results:
 
 def blur_of(run):
     """Improved: half of plain; both worse with fewer particles, and by seed."""
-    base = {30: 0.10, 5: 0.16}[run.cell.axes["particles"]] + 0.01 * run.seed
-    return base if run.cell.variant == "GMapping" else base / 2
+    base = {30: 0.10, 5: 0.16}[run.configuration.axes["particles"]] + 0.01 * run.seed
+    return base if run.configuration.variant == "GMapping" else base / 2
 
 
 def write_json(file, value):

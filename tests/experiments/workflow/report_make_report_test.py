@@ -16,7 +16,7 @@ class MakeReportTest(report_fixture.ResultsTestCase):
         self.results.page()
         figures = [f"figures/few_particles_two_by_two{kind}.png" for kind in ("", "_error_maps")]
         tables = [f"tables/few_particles_{table}.{ending}" for ending in ("csv", "md")
-                  for table in ("overview", "cells", "comparisons", "runs", "cost",
+                  for table in ("overview", "configurations", "comparisons", "runs", "cost",
                                 "cost_comparisons", "run_costs")]
         self.assertEqual(sorted(self.outputs("report")),
                          sorted(["index.html", *figures, *tables]))
@@ -64,7 +64,7 @@ class MakeReportTest(report_fixture.ResultsTestCase):
     def test_quick_report_says_so_and_has_the_quick_runs_only(self):
         page = self.results.page("--quick")
         self.assertIn("This is the quick version", page)
-        self.assertIn("4 cells x 2 seeds = 8", page)
+        self.assertIn("4 configurations x 2 seeds = 8", page)
 
     def test_report_without_any_result_says_that_all_is_missing(self):
         for run in self.results.study.runs:

@@ -28,9 +28,9 @@ class PaperTest(unittest.TestCase):
             study = studies[name]
             self.assertEqual(len(study.figures), 3)  # kinds of odometry
             for figure in study.figures:
-                _, columns, cells = figure.grid(study)
+                _, columns, configs = figure.grid(study)
                 self.assertEqual(columns, particles)
-                self.assertEqual(len(cells), 3 * len(particles))
+                self.assertEqual(len(configs), 3 * len(particles))
             self.assertEqual(len(study.seeds), 20)
 
     def test_quick_version_is_small(self):

@@ -37,8 +37,8 @@ class PlotsTest(report_fixture.ResultsTestCase):
         self.assertIn("improved", self.texts())
 
     def test_without_axes_the_variants_are_the_axis(self):
-        for cell in self.results.study.cells:
-            del cell.axes["particles"]
+        for config in self.results.study.configurations:
+            del config.axes["particles"]
         self.assertEqual(plots.axes_to_plot(self.results.study), ["variant"])
 
 

@@ -31,7 +31,7 @@ class PublishedTest(report_fixture.ResultsTestCase):
         for run in self.results.study.runs:
             self.results.write(run)
             self.results.write_scores(run, {
-                "relation_error_m": 0.01 * run.cell.axes["particles"] + 0.001 * run.seed,
+                "relation_error_m": 0.01 * run.configuration.axes["particles"] + 0.001 * run.seed,
                 "relation_std_m": 0.002, "relation_rotation_deg": 0.25})
 
     def tables(self, content=PUBLISHED):
@@ -47,7 +47,7 @@ class PublishedTest(report_fixture.ResultsTestCase):
     def test_published_systems_come_first_then_the_mean_of_our_seeds(self):
         table = self.tables()["published"]
         self.assertEqual(table.header, ["system", "source", "hall"])
-        self.assertEqual([[text(cell) for cell in row] for row in table.rows], [
+        self.assertEqual([[text(value) for value in row] for row in table.rows], [
             ["Elders", "a paper", "0.5000 ± 0.2500 / 1.50"],
             ["Juniors", "another", "–"],
             ["GMapping, particles 30", "this study", "0.3035 ± 0.0020 / 0.25"],

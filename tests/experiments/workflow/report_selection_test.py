@@ -8,7 +8,7 @@ from study import StudyError
 
 class PairsTest(report_fixture.ResultsTestCase):
     def pairs(self, a, b):
-        return [(selection.label_within_log(x), selection.label_within_log(y))
+        return [(selection.label_within_dataset(x), selection.label_within_dataset(y))
                 for x, y in selection.pairs(self.results.study, a, b)]
 
     def test_what_neither_names_is_alike(self):
@@ -23,15 +23,16 @@ class PairsTest(report_fixture.ResultsTestCase):
                 ("improved, particles 5", "GMapping, particles 30")])
 
     def test_more_than_one_partner_is_an_error(self):
-        with self.assertRaisesRegex(StudyError, "expected one cell .*, found 2"):
+        with self.assertRaisesRegex(StudyError, "expected one configuration .*, found 2"):
             self.pairs({"variant": "improved", "particles": 5}, {"variant": "GMapping"})
 
     def test_no_pair_is_an_error(self):
-        with self.assertRaisesRegex(StudyError, "no two cells"):
+        with self.assertRaisesRegex(StudyError, "no two configurations"):
             self.pairs({"particles": 7}, {"particles": 5})
 
     def test_label_of_a_pair_says_once_what_both_share(self):
-        a, b = (self.results.run(variant, 5, 1).cell for variant in ("improved", "GMapping"))
+        a, b = (self.results.run(variant, 5, 1).configuration
+                for variant in ("improved", "GMapping"))
         self.assertEqual(selection.labels_of_pair(a, b),
                          ("building, particles 5", "improved", "GMapping"))
 

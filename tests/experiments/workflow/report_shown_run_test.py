@@ -8,14 +8,14 @@ from report import shown_run
 class ShownRunTest(report_fixture.ResultsTestCase):
     def setUp(self):
         super().setUp()
-        self.cell = self.results.run("improved", 5, 1).cell
+        self.configuration = self.results.run("improved", 5, 1).configuration
 
     def set_blurs(self, *blurs):
         for seed, blur in enumerate(blurs, 1):
             self.results.write(self.results.run("improved", 5, seed), blur=blur)
 
     def median(self):
-        return shown_run.seed_of(self.measured(), self.cell, "median")
+        return shown_run.seed_of(self.measured(), self.configuration, "median")
 
     def test_the_better_of_the_two_in_the_middle(self):
         self.set_blurs(0.6, 0.1, 0.5, 0.2, 0.4, 0.3)
@@ -34,9 +34,9 @@ class ShownRunTest(report_fixture.ResultsTestCase):
 
     def test_the_worst_is_the_last_a_failed_one_before_all(self):
         self.set_blurs(0.6, 0.1, 0.5, 0.2, 0.4, 0.3)
-        self.assertEqual(shown_run.seed_of(self.measured(), self.cell, "worst"), 1)
+        self.assertEqual(shown_run.seed_of(self.measured(), self.configuration, "worst"), 1)
         self.results.fail(self.results.run("improved", 5, 4))
-        self.assertEqual(shown_run.seed_of(self.measured(), self.cell, "worst"), 4)
+        self.assertEqual(shown_run.seed_of(self.measured(), self.configuration, "worst"), 4)
 
     def test_missing_runs_have_no_part(self):
         for seed in (2, 3, 4, 5, 6):

@@ -52,12 +52,12 @@ class TablesTest(report_fixture.ResultsTestCase):
     def tables(self):
         return tables.tables(self.measured())
 
-    def cell_record(self, variant, particles, metric):
-        return next(r for r in records(self.tables()["cells"]) if r["variant"] == variant
+    def record_of(self, variant, particles, metric):
+        return next(r for r in records(self.tables()["configurations"]) if r["variant"] == variant
                     and r["particles"] == str(particles) and r["metric"] == metric)
 
-    def test_cells_are_summaries_of_the_scores(self):
-        found = self.cell_record("improved", 5, "map_blur_m")
+    def test_configurations_are_summaries_of_the_scores(self):
+        found = self.record_of("improved", 5, "map_blur_m")
         expected = statistics.summarize([(0.16 + 0.01 * seed) / 2 for seed in range(1, 7)])
         for column, value in (("mean", expected.mean), ("standard deviation", expected.std),
                               ("median", expected.median), ("interval from", expected.low),
@@ -66,32 +66,33 @@ class TablesTest(report_fixture.ResultsTestCase):
         self.assertEqual((found["n with value"], found["n"], found["unit"]), ("6", "6", "m"))
 
     def test_metrics_that_no_run_has_are_left_out(self):
-        self.assertNotIn("ate_rmse_m", self.tables()["cells"].csv())
+        self.assertNotIn("ate_rmse_m", self.tables()["configurations"].csv())
 
-    def test_logs_stand_side_by_side_with_median_and_worst(self):
+    def test_datasets_stand_side_by_side_with_median_and_worst(self):
         self.results.study_file.write_text(report_fixture.STUDY.replace(
-            "logs:", "logs:\n  second: {world: paper_building.yaml, simulate: {scan_rate: 5}}")
-            .replace("columns: particles}", "columns: particles, log: building}"))
+            "datasets:", "datasets:\n  second: {world: paper_building.yaml, simulate: {scan_rate: 5}}")
+            .replace("columns: particles}", "columns: particles, dataset: building}"))
         self.results.study = self.results.load()
         for run in self.results.study.runs:
             self.results.write(run)
-        self.results.fail(next(r for r in self.results.study.runs if r.cell.log == "second"))
-        table = self.tables()["by_log"]
+        self.results.fail(next(r for r in self.results.study.runs
+                               if r.configuration.dataset == "second"))
+        table = self.tables()["by_dataset"]
         self.assertEqual(table.header, ["variant", "particles", "second: boundary blur (m)",
                                         "building: boundary blur (m)"])
-        plain = [text(cell) for cell in table.rows[0]]
+        plain = [text(value) for value in table.rows[0]]
         self.assertEqual(plain, ["GMapping", "30", "0.1400 (0.1600)", "0.1350 (0.1600)"])
         for run in self.results.study.runs:
             self.results.write_scores(run, {"map_blur_m": 0.1, "map_broken": float(run.seed == 2)})
-        self.assertEqual(text(self.tables()["by_log"].rows[0][3]),
+        self.assertEqual(text(self.tables()["by_dataset"].rows[0][3]),
                          "0.1000 (0.1000), 1 of 6 broken")
 
-    def test_one_log_has_no_table_of_logs_side_by_side(self):
-        self.assertNotIn("by_log", self.tables())
+    def test_one_dataset_has_no_table_of_datasets_side_by_side(self):
+        self.assertNotIn("by_dataset", self.tables())
 
     def test_failed_runs_are_counted_and_shown(self):
         self.results.fail(self.results.run("improved", 5, 2))
-        found = self.cell_record("improved", 5, "map_blur_m")
+        found = self.record_of("improved", 5, "map_blur_m")
         self.assertEqual((found["n with value"], found["n"]), ("5", "6"))
         overview = records(self.tables()["overview"])
         self.assertEqual([r["successful runs"] for r in overview],
@@ -102,7 +103,7 @@ class TablesTest(report_fixture.ResultsTestCase):
 
     def test_missing_runs_are_shown_and_not_counted_as_failed(self):
         self.results.remove(self.results.run("improved", 5, 2))
-        self.assertEqual(self.cell_record("improved", 5, "map_blur_m")["n"], "5")
+        self.assertEqual(self.record_of("improved", 5, "map_blur_m")["n"], "5")
         missing = [r for r in records(self.tables()["runs"]) if r["exit status"] == "missing"]
         self.assertEqual([(r["variant"], r["particles"], r["seed"]) for r in missing],
                          [("improved", "5", "2")])

@@ -10,7 +10,7 @@ title: Claims
 source: Made up.
 claims:
   - place: 3.1, paragraph 2
-    says: Improved is clearer.
+    statement: Improved is clearer.
     tests:
       ours:
         - study: few_particles
@@ -105,6 +105,10 @@ class VerdictsTest(report_fixture.ResultsTestCase):
         found = self.judge(turned).claims
         self.assertEqual([(claim.number, claim.algorithm) for claim, _, _ in found],
                          [(1, "ours"), (1, "theirs")])
+
+    def test_a_former_key_is_refused_with_its_new_name(self):
+        self.assertEqual(self.complaint("statement:", "says:"),
+                         "claims.yaml:6: claims: 'says' is called 'statement' now")
 
     def test_costs_are_a_family_of_their_own(self):
         text = CLAIMS + """\

@@ -15,7 +15,7 @@ import relations
 
 STUDY = """
     title: A stressed room
-    logs:
+    datasets:
       room: {carmen: room, stress: [none, reverse, gaps]}
     seeds: 1-2
     flags: {particles: 1}

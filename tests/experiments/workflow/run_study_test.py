@@ -17,7 +17,7 @@ from study import load_study
 
 STUDY = """
     title: A tiny room
-    logs:
+    datasets:
       room: {world: room.yaml, simulate: {scan_rate: 5}}
     seeds: 1-2
     axes:
@@ -98,7 +98,7 @@ class RunStudyTest(workflow_test_case.WorkflowTestCase):
         self.assertEqual((len(loaded), len(failed)), (4, 2))
         self.assertEqual(printed.count("FAILED room, particles=-4"), 2)
         for result in failed:
-            self.assertEqual(result.run.cell.axes["particles"], -4)
+            self.assertEqual(result.run.configuration.axes["particles"], -4)
             self.assertEqual(result.outcome["exit_status"], 1)
             self.assertIn("--particles: expected a value from 1", result.outcome["error"])
             self.assertEqual(set(result.scores.values()), {None})

@@ -8,13 +8,13 @@ from study import StudyError, load_study
 
 STUDY = """
     title: A study
-    logs:
+    datasets:
       hall: {carmen: hall, stress: [none, late, drop]}
       attic: {carmen: hall, stress: late, size: 2}
     seeds: 1-2
     metrics: [relation_error_m]
     quick:
-      logs:
+      datasets:
         attic: null
         hall: {stress: [drop]}
 """
@@ -37,14 +37,15 @@ class StudyStressTest(workflow_test_case.WorkflowTestCase):
             self.load(STUDY.replace(old, new))
         return str(caught.exception).replace(str(self.folder) + "/", "")
 
-    def test_a_list_is_a_log_of_each_kind(self):
+    def test_a_list_is_a_dataset_of_each_kind(self):
         study = self.load()
-        self.assertEqual([cell.log for cell in study.cells],
+        self.assertEqual([config.dataset for config in study.configurations],
                          ["hall none", "hall late", "hall drop", "attic"])
-        self.assertEqual({cell.log for cell in self.load(quick=True).cells}, {"hall drop"})
+        self.assertEqual([config.dataset for config in self.load(quick=True).configurations],
+                         ["hall drop"])
 
     def test_the_seed_makes_the_log(self):
-        stressed = [run for run in self.load().runs if run.cell.log != "hall none"]
+        stressed = [run for run in self.load().runs if run.configuration.dataset != "hall none"]
         self.assertEqual(len({run.log_id for run in stressed}), len(stressed))
         folder = self.folder.resolve()
         self.assertEqual(stressed[-1].log_argv, [
@@ -60,7 +61,8 @@ class StudyStressTest(workflow_test_case.WorkflowTestCase):
                           .replace("carmen: hall, }", "carmen: hall}"))
         self.assertEqual((run.log_id, run.log_tool), (None, None))
         self.assertEqual(run.relations.name, "hall.relations.gz")
-        self.assertIn(run.id, {other.id for other in plain.runs if other.cell.log == "attic"})
+        self.assertIn(run.id, {other.id for other in plain.runs
+                               if other.configuration.dataset == "attic"})
 
     def test_what_the_log_is_decides_its_id(self):
         before = {run.log_id for run in self.load().runs}
@@ -79,20 +81,20 @@ class StudyStressTest(workflow_test_case.WorkflowTestCase):
                       self.complaint("size: 2", "size: -1"))
         self.assertIn("study.yaml:4: size: expected a 'stress' that it scales",
                       self.complaint("stress: late, size: 2", "size: 2"))
-        self.assertIn("study.yaml:4: stress: 'stress' is for recorded logs",
+        self.assertIn("study.yaml:4: stress: 'stress' is for recorded datasets",
                       self.complaint("carmen: hall, stress: late, size: 2",
                                      "world: room.yaml, stress: late"))
         for kinds in ("[]", "[late, late]"):
             self.assertIn("study.yaml:3: stress: expected different kinds",
                           self.complaint("[none, late, drop]", kinds))
 
-    def test_two_logs_of_one_name_are_named(self):
-        self.assertIn("study.yaml:4: hall late: the log 'hall late' is there twice",
+    def test_two_datasets_of_one_name_are_named(self):
+        self.assertIn("study.yaml:4: hall late: the dataset 'hall late' is there twice",
                       self.complaint("attic:", "hall late:"))
 
-    def test_an_axis_over_the_simulator_is_for_simulated_logs(self):
+    def test_an_axis_over_the_simulator_is_for_simulated_datasets(self):
         text = STUDY.replace("seeds: 1-2", "seeds: 1-2\n    axes: {simulate.scan_rate: [1, 2]}")
-        with self.assertRaisesRegex(StudyError, "is for simulated logs; 'hall none' is a recorded"):
+        with self.assertRaisesRegex(StudyError, "is for simulated datasets; 'hall none' is a recorded"):
             self.load(text)
 
 

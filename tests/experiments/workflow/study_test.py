@@ -8,7 +8,7 @@ from study import StudyError, load_study
 
 STUDY = """
     title: A study
-    logs:
+    datasets:
       room: {world: room.yaml, simulate: {scan_rate: 5}}
     seeds: 1-3
     flags: {threads: 1}
@@ -22,7 +22,7 @@ STUDY = """
       - [{variant: improved, particles: 1}, {variant: GMapping, particles: 5}]
     quick:
       seeds: [7]
-      logs:
+      datasets:
         room: {simulate: {odometry_noise: 2}}
 """
 
@@ -40,9 +40,9 @@ class StudyTest(workflow_test_case.WorkflowTestCase):
         self.assertNotIn("\n", message)
         return message.replace(str(self.folder) + "/", "")
 
-    def test_a_run_for_each_log_variant_axis_value_and_seed(self):
+    def test_a_run_for_each_dataset_variant_axis_value_and_seed(self):
         study = self.load()
-        self.assertEqual([cell.label() for cell in study.cells], [
+        self.assertEqual([config.label() for config in study.configurations], [
             "room, GMapping, particles=1", "room, GMapping, particles=5",
             "room, improved, particles=1", "room, improved, particles=5"])
         self.assertEqual(study.seeds, [1, 2, 3])
@@ -81,19 +81,19 @@ class StudyTest(workflow_test_case.WorkflowTestCase):
         self.assertNotEqual(other.log_id, before.log_id)
         self.assertNotEqual(other.id, before.id)
 
-    def test_quick_keys_replace_and_quick_logs_merge(self):
+    def test_quick_keys_replace_and_quick_datasets_merge(self):
         study = self.load(quick=True)
         self.assertEqual(study.seeds, [7])
-        self.assertEqual(len(study.cells), 4)
+        self.assertEqual(len(study.configurations), 4)
         self.assertEqual(study.runs[0].log_argv[-3:],
                          ["--odometry_noise=2", "--scan_rate=5", "--seed=7"])
 
-    def test_null_leaves_a_log_out_of_the_quick_version(self):
+    def test_null_leaves_a_dataset_out_of_the_quick_version(self):
         text = STUDY.replace("simulate: {scan_rate: 5}}",
                              "simulate: {scan_rate: 5}}\n      second: {world: room.yaml}")
-        self.assertEqual(len(self.load(text).cells), 8)
+        self.assertEqual(len(self.load(text).configurations), 8)
         text = text.replace("room: {simulate: {odometry_noise: 2}}", "second: null")
-        self.assertEqual({cell.log for cell in self.load(text, quick=True).cells}, {"room"})
+        self.assertEqual({c.dataset for c in self.load(text, quick=True).configurations}, {"room"})
 
     def test_an_axis_over_the_simulator_changes_the_log_alone(self):
         study = self.load(STUDY.replace("particles: [1, 5]", "simulate.odometry_noise: [1, 3]")
@@ -118,13 +118,14 @@ class StudyTest(workflow_test_case.WorkflowTestCase):
     def test_a_star_is_every_log_of_the_data_folder(self):
         text = (STUDY.replace("room: {world: room.yaml, simulate: {scan_rate: 5}}",
                               '"*": {carmen: "*"}')
-                .replace("      logs:\n        room: {simulate: {odometry_noise: 2}}\n", ""))
+                .replace("      datasets:\n        room: {simulate: {odometry_noise: 2}}\n", ""))
         (self.folder / "carmen").mkdir()
         with self.assertRaisesRegex(StudyError, r"study.yaml:3: .*no logs in .*carmen"):
             self.load(text)
         self.write("carmen/hall.clf.gz", "not read here")
         self.write("carmen/attic.clf", "neither")
-        self.assertEqual(sorted({(r.cell.log, r.log_file.name) for r in self.load(text).runs}),
+        found = {(r.configuration.dataset, r.log_file.name) for r in self.load(text).runs}
+        self.assertEqual(sorted(found),
                          [("attic", "attic.clf"), ("hall", "hall.clf.gz")])
         with self.assertRaisesRegex(StudyError, "expected {carmen: '\\*'}"):
             self.load(text.replace('carmen: "*"', "carmen: hall"))
@@ -140,7 +141,7 @@ class StudyTest(workflow_test_case.WorkflowTestCase):
             for quick in (False, True):
                 self.assertGreater(len(load_study(file, BINARIES, self.folder, quick).runs), 1)
 
-    def test_selectors_find_cells(self):
+    def test_selectors_find_configurations(self):
         study = self.load()
         [(left, right)] = study.compare
         self.assertEqual([c.label() for c in study.select(left)], ["room, improved, particles=1"])
@@ -164,6 +165,12 @@ class StudyTest(workflow_test_case.WorkflowTestCase):
                       self.complaint("improved, particles", "improved, particle"))
         self.assertIn("unknown metric 'ate_rms_m'; did you mean 'ate_rmse_m'?",
                       self.complaint("ate_rmse_m", "ate_rms_m"))
+
+    def test_a_former_key_is_refused_with_its_new_name(self):
+        self.assertEqual(self.complaint("    datasets:\n      room: {w", "    logs:\n      room: {w"),
+                         "study.yaml:2: study: 'logs' is called 'datasets' now")
+        self.assertEqual(self.complaint("{variant: improved, part", "{log: room, part"),
+                         "study.yaml:13: compare: 'log' is called 'dataset' now")
 
     def test_values_must_fit_the_type_of_their_flag(self):
         self.assertEqual(self.complaint("[1, 5]", "[1, many]"),
@@ -195,8 +202,8 @@ class StudyTest(workflow_test_case.WorkflowTestCase):
         self.assertIn("study.yaml:10: particles: is an axis, and set by variant 'improved' as well",
                       self.complaint("improved: {}", "improved: {particles: 3}"))
 
-    def test_compared_cells_must_exist(self):
-        self.assertIn("study.yaml:13: compare: selects no cell of the study",
+    def test_compared_configurations_must_exist(self):
+        self.assertIn("study.yaml:13: compare: selects no configuration of the study",
                       self.complaint("improved, particles: 1", "improved, particles: 2"))
 
     def test_broken_yaml_is_named_with_line(self):

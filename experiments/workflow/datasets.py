@@ -1,4 +1,4 @@
-"""Reads from a study which logs it has; log_sources.py says which there are."""
+"""Reads from a study which datasets it has; dataset_kinds.py says which kinds there are."""
 from __future__ import annotations
 
 import functools
@@ -7,7 +7,7 @@ import pathlib
 
 import flags
 import log_tools
-from log_sources import CarmenLog, Log, SimulatedLog, StressedLog
+from dataset_kinds import Dataset, RecordedDataset, SimulatedDataset, StressedDataset
 from yaml_entry import Entry, did_you_mean
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -17,9 +17,9 @@ EVERY = "*"
 UNSTRESSED = "none"  # a kind of stress: the log as it was recorded
 
 RESERVED = {
-    "world": "the log's 'world'",
-    "path": "the log's 'path'",
-    "obstacles": "the log's 'obstacles'",
+    "world": "the dataset's 'world'",
+    "path": "the dataset's 'path'",
+    "obstacles": "the dataset's 'obstacles'",
     "seed": "the study's 'seeds'",
     "output_dir": "the workflow",
 }
@@ -43,40 +43,41 @@ def read_flag_values(entry: Entry, known: dict[str, str],
     return values
 
 
-def read_logs(name: str, entry: Entry, parts: dict[str, Entry], data: pathlib.Path,
-              simulator_flags: dict[str, str]) -> dict[str, Log]:
-    """By name: one log, or with a list of stresses the log 'NAME KIND' for each of them. `parts`
+def read_datasets(name: str, entry: Entry, parts: dict[str, Entry], data: pathlib.Path,
+              simulator_flags: dict[str, str]) -> dict[str, Dataset]:
+    """By name: one dataset, or with a list of stresses the dataset 'NAME KIND' for each of them. `parts`
     are the values below `entry`, those of the study's quick version merged in."""
     if ("carmen" in parts) == ("world" in parts):
         entry.fail("expected either 'carmen: NAME' or 'world: FILE'")
     if "world" in parts:
         for key in parts.keys() & {"stress", "size"}:
-            parts[key].fail(f"'{key}' is for recorded logs")
+            parts[key].fail(f"'{key}' is for recorded datasets")
         return {name: _read_simulated(entry, parts, simulator_flags)}
     for key in parts.keys() - {"carmen", "stress", "size"}:
-        parts[key].fail(f"'{key}' is for simulated logs")
-    log = find_log(parts["carmen"], data)
+        parts[key].fail(f"'{key}' is for simulated datasets")
+    recorded = find_recorded(parts["carmen"], data)
     if "stress" not in parts:
         if "size" in parts:
             parts["size"].fail("expected a 'stress' that it scales, found none")
-        return {name: log}
+        return {name: recorded}
     size = _read_size(parts["size"]) if "size" in parts else 1.0
     if not parts["stress"].is_sequence():
-        return {name: _read_stressed(parts["stress"], log, size)}
+        return {name: _read_stressed(parts["stress"], recorded, size)}
     kinds = parts["stress"].sequence()
-    found = {f"{name} {kind.text()}": _read_stressed(kind, log, size) for kind in kinds}
+    found = {f"{name} {kind.text()}": _read_stressed(kind, recorded, size) for kind in kinds}
     if not kinds or len(found) < len(kinds):
         parts["stress"].fail("expected different kinds of stress, one or more")
     return found
 
 
-def _read_stressed(kind: Entry, log: CarmenLog, size: float) -> CarmenLog | StressedLog:
+def _read_stressed(kind: Entry, recorded: RecordedDataset,
+                   size: float) -> RecordedDataset | StressedDataset:
     known = _kinds_of_stress()
     if kind.text() == UNSTRESSED:
-        return log
+        return recorded
     if kind.text() not in known:
         kind.fail(f"unknown stress '{kind.text()}'{did_you_mean(kind.text(), known)}")
-    return StressedLog(log, kind.text(), size)
+    return StressedDataset(recorded, kind.text(), size)
 
 
 _kinds_of_stress = functools.cache(log_tools.kinds_of_stress)
@@ -90,7 +91,7 @@ def _read_size(entry: Entry) -> float:
 
 
 def _read_simulated(entry: Entry, parts: dict[str, Entry],
-                    simulator_flags: dict[str, str]) -> SimulatedLog:
+                    simulator_flags: dict[str, str]) -> SimulatedDataset:
     folders = [entry.file.parent, WORLDS]
     world = find_file(parts["world"], *folders)
     if "path" in parts:
@@ -106,20 +107,20 @@ def _read_simulated(entry: Entry, parts: dict[str, Entry],
     values = {}
     if "simulate" in parts:
         values = read_flag_values(parts["simulate"], simulator_flags, RESERVED)
-    return SimulatedLog(world, path, obstacles, values)
+    return SimulatedDataset(world, path, obstacles, values)
 
 
-def find_log(entry: Entry, data: pathlib.Path) -> CarmenLog:
+def find_recorded(entry: Entry, data: pathlib.Path) -> RecordedDataset:
     """The log of this name in the data folder, and its relations."""
     file = _gzipped_or_not(data / "carmen" / f"{entry.text()}.clf")
     if not file:
         entry.fail(f"no file '{data / 'carmen' / entry.text()}.clf.gz'; --data=DIR says where the "
                    "logs are")
     relations = _gzipped_or_not(data / "relations" / f"{entry.text()}.relations")
-    return CarmenLog(file.resolve(), relations)
+    return RecordedDataset(file.resolve(), relations)
 
 
-def every_recorded_log(entry: Entry, data: pathlib.Path) -> dict[str, tuple[Entry, dict]]:
+def every_recorded_dataset(entry: Entry, data: pathlib.Path) -> dict[str, tuple[Entry, dict]]:
     """`"*": {carmen: "*"}` is all logs of the data folder: entry and parts of each by name."""
     parts = entry.mapping(["carmen"])
     if "carmen" not in parts or parts["carmen"].text() != EVERY:

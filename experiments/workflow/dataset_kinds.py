@@ -1,4 +1,4 @@
-"""The logs of a study: files of real robots, those under stress, or the simulator's."""
+"""Kinds of datasets of a study: logs of real robots, those under stress, and the simulator's."""
 from __future__ import annotations
 
 import dataclasses
@@ -10,8 +10,8 @@ import ids
 
 
 @dataclasses.dataclass(frozen=True)
-class CarmenLog:
-    """A recorded log, scored by hand-checked relations if there are some."""
+class RecordedDataset:
+    """The log of a real robot, scored by hand-checked relations if there are some."""
     tool: ClassVar[str | None] = None  # that makes it, see log_tools.py
     file: pathlib.Path
     relations: pathlib.Path | None
@@ -22,28 +22,28 @@ class CarmenLog:
 
 
 @dataclasses.dataclass(frozen=True)
-class StressedLog:
+class StressedDataset:
     """A recorded log with something made worse, other places of it by every seed."""
     tool: ClassVar[str | None] = "stress_log"
-    carmen: CarmenLog
+    recorded: RecordedDataset
     stress: str
     size: float
 
     def argv(self, seed: int) -> list[str]:
         """Arguments of `stress_log.py`, without those that say where the output goes."""
-        relations = [f"--relations={self.carmen.relations}"] if self.carmen.relations else []
-        return [f"--log={self.carmen.file}", *relations, f"--stress={self.stress}",
+        relations = [f"--relations={self.recorded.relations}"] if self.recorded.relations else []
+        return [f"--log={self.recorded.file}", *relations, f"--stress={self.stress}",
                 f"--size={flags.as_text(self.size)}", f"--seed={seed}"]
 
     def content_id(self, seed: int) -> str:
-        relations = self.carmen.relations
+        relations = self.recorded.relations
         return ids.content_id(
-            "stressed", ids.file_hash(self.carmen.file),
+            "stressed", ids.file_hash(self.recorded.file),
             ids.file_hash(relations) if relations else None, self.stress, self.size, seed)
 
 
 @dataclasses.dataclass(frozen=True)
-class SimulatedLog:
+class SimulatedDataset:
     """A tour of a robot through a world; every seed makes another log of it."""
     tool: ClassVar[str | None] = "simulate"
     world: pathlib.Path
@@ -65,4 +65,4 @@ class SimulatedLog:
             flags.as_arguments(self.flags), seed)
 
 
-Log = CarmenLog | StressedLog | SimulatedLog
+Dataset = RecordedDataset | StressedDataset | SimulatedDataset
