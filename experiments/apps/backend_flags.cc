@@ -15,40 +15,42 @@ const gmapping_spa::backend::Options kOptions;
 }
 
 DEFINE_string(backend, "spa",
-              "What optimizes pose graphs: spa, ceres, none, the name of another back end in "
-              "$GMAPPING_SPA_PLUGIN_PATH, or the path of its shared library.");
+              "Back end that optimizes the pose graph: spa, ceres, none, the name of another one "
+              "in $GMAPPING_SPA_PLUGIN_PATH, or the path of its shared library.");
 DEFINE_string(init, gmapping_spa::backend::InitializationName(kOptions.initialization),
-              "Start of an optimization: auto (the back end chooses), keep (the poses given), "
-              "odometry (along successive nodes), spanning_tree or chordal (chordal initialization "
-              "of Carlone et al. 2015).");
+              "Initialization of the poses before an optimization: auto (the back end chooses), "
+              "keep (the poses given), odometry (along successive nodes), spanning_tree or chordal "
+              "(chordal initialization of Carlone et al. 2015).");
 DEFINE_int32(max_iterations, kOptions.max_iterations,
-             "Largest number of iterations of an optimization.");
-DEFINE_double(
-    cost_tolerance, kOptions.cost_tolerance,
-    "An optimization has converged when a step would lower the cost by less than this part of it.");
-DEFINE_double(
-    max_solver_time_s, 0.0,
-    "Longest time of an optimization in s, by the clock: then it ends with the best poses "
-    "so far, which depend on the machine. 0: no limit.");
+             "Largest number of iterations of an optimization, from 0.");
+DEFINE_double(cost_tolerance, kOptions.cost_tolerance,
+              "Relative decrease of the cost, from 0: an optimization has converged when a step "
+              "lowers the cost by less than this part of it.");
+DEFINE_double(max_solver_time_s, 0.0,
+              "Longest wall time of an optimization in s, from 0: then it ends with the best poses "
+              "so far, which depend on the speed of the machine. 0: no limit.");
 DEFINE_string(loss, gmapping_spa::backend::LossKindName(kOptions.loss.kind),
-              "Robust loss of loop closures: none, huber, cauchy, dcs (dynamic covariance scaling, "
-              "Agarwal et al. 2013) or truncated (truncated least squares).");
+              "Robust loss of loop closures in the pose graph: none, huber, cauchy, dcs (dynamic "
+              "covariance scaling, Agarwal et al. 2013) or truncated (truncated least squares).");
 DEFINE_double(loss_scale, 3.0,
-              "Size of the error of a loop closure, in standard deviations, from which on --loss "
-              "lowers its weight.");
+              "Error of a loop closure in standard deviations, above 0, from which on the robust "
+              "loss (--loss) lowers its weight.");
 DEFINE_bool(gnc, true,
-            "Optimize with --loss=truncated by graduated non-convexity (Yang et al. 2020), not "
-            "from the start.");
+            "Approach --loss=truncated by graduated non-convexity (Yang et al. 2020): the loss "
+            "starts convex. Without it, the truncated loss is there from the first iteration.");
 DEFINE_string(backend_settings, "",
-              "Settings of a back end without flags of its own: name=value,name=value...");
+              "Settings of a back end that has no flags here: name=value,name=value,... Empty: its "
+              "defaults.");
 
 // Flags of the form --<backend>_<setting>; their defaults are the back ends' own.
 DEFINE_string(spa_solver, "block",
               "Linear solver of spa: block (Cholesky factorization of 3x3 blocks) or cholmod.");
-DEFINE_double(spa_damping, 0.0, "First damping lambda of spa (eq. 5); 0: Gauss-Newton.");
+DEFINE_double(spa_damping, 0.0,
+              "Initial damping lambda of spa (Levenberg-Marquardt, eq. 5), from 0; 0: Gauss-Newton "
+              "until a step fails.");
 DEFINE_int32(spa_max_nonmonotonic_steps, 2,
-             "Number of steps in succession by which spa may fail to lower the cost before it "
-             "starts damping.");
+             "Number of steps in succession, from 0, that spa may take without lowering the cost "
+             "before it starts to damp.");
 DEFINE_string(
     ceres_linear_solver, "sparse_normal_cholesky",
     "Linear solver of ceres: sparse_normal_cholesky, dense_normal_cholesky, dense_qr or cgnr.");
@@ -57,14 +59,19 @@ DEFINE_string(ceres_sparse_library, "suite_sparse",
 DEFINE_string(ceres_trust_region, "levenberg_marquardt",
               "Trust region strategy of ceres: levenberg_marquardt or dogleg.");
 DEFINE_double(ceres_initial_radius, 1e4,
-              "Initial trust region radius of ceres; 1e16 is nearly Gauss-Newton.");
-DEFINE_bool(ceres_nonmonotonic, false, "Ceres may take steps that raise the cost for a while.");
-DEFINE_bool(ceres_jacobi_scaling, true, "Ceres scales the columns of the Jacobian.");
+              "Initial radius of the trust region of ceres, above 0, without unit; 1e16 is nearly "
+              "Gauss-Newton.");
+DEFINE_bool(ceres_nonmonotonic, false,
+            "Nonmonotonic steps of ceres: steps that raise the cost are allowed for a while.");
+DEFINE_bool(ceres_jacobi_scaling, true,
+            "Jacobi scaling of ceres: the columns of the Jacobian are scaled by their norms.");
 DEFINE_double(ceres_gradient_tolerance, 1e-10,
-              "Ceres has converged when the largest component of the gradient is below this.");
+              "Gradient tolerance of ceres, from 0: it has converged when the largest component of "
+              "the gradient of the cost (per m or rad) is below this.");
 DEFINE_double(ceres_parameter_tolerance, 1e-8,
-              "Ceres has converged when a step is below this part of the parameters.");
-DEFINE_int32(ceres_threads, 1, "Number of threads of ceres.");
+              "Parameter tolerance of ceres, from 0: it has converged when the norm of a step is "
+              "below this part of the norm of all poses.");
+DEFINE_int32(ceres_threads, 1, "Number of threads of ceres, from 1.");
 
 namespace gmapping_spa::apps {
 namespace {

@@ -28,27 +28,32 @@
 #include "experiments/metrics/wall_errors.h"
 #include "frontend/map/map_server_io.h"
 
-DEFINE_string(map, "", "YAML file of the map to score.");
-DEFINE_string(truth, "", "YAML file of the true map. Empty: only what needs no truth is measured.");
+DEFINE_string(map, "", "YAML file of the map to score (map_server).");
+DEFINE_string(
+    truth, "",
+    "YAML file of the true map (map_server). Empty: only what needs no truth is measured.");
 DEFINE_string(truth_trajectory, "",
-              "File of the true trajectory, TUM format: from where the robot looked.");
-DEFINE_string(trajectory, "",
-              "File of the trajectory that belongs to the map, TUM format. Not needed with "
-              "--align=none.");
+              "File of the true trajectory (TUM): the poses from which the robot looked.");
+DEFINE_string(
+    trajectory, "",
+    "File of the trajectory that belongs to the map (TUM). Not needed with --align=none.");
 DEFINE_string(
     align, "se2",
     "How the map is laid over the truth, by the trajectories: se2 (least squared distance of the "
     "positions, no scale), first (by the first poses) or none.");
-DEFINE_double(max_gap_s, 0.01,
-              "Poses belong together when their stamps differ by this at most (seconds).");
-DEFINE_double(max_range, 30.0, "How far the robot could see, m.");
+DEFINE_double(
+    max_gap_s, 0.01,
+    "Largest difference in s, from 0, between the stamps of two poses that belong together.");
+DEFINE_double(max_range, 30.0,
+              "Range of the laser in m, from 0.01 to 10000: surface farther from all true poses is "
+              "out of sight.");
 DEFINE_double(tolerance, 0.1,
-              "Surface is missing when no occupied cell is this near, an occupied cell is extra "
-              "when no surface is, m.");
+              "Distance in m, from 0: surface is missing when no occupied cell is this near, an "
+              "occupied cell is extra when no surface is.");
 DEFINE_string(objects, "",
               "YAML file of a map in the grid of --truth, occupied where the things stand that are "
               "scored by themselves, such as truth_obstacles.yaml of simulate. Empty: none.");
-DEFINE_string(error_map, "", "PNG of the errors to write. Empty: none.");
+DEFINE_string(error_map, "", "PNG file that gets a picture of the errors of the map. Empty: none.");
 
 namespace gmapping_spa::apps {
 namespace {

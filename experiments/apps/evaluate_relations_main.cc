@@ -11,11 +11,13 @@
 #include "experiments/apps/trajectory_files.h"
 #include "experiments/metrics/relations.h"
 
-DEFINE_string(relations, "", "File of true relations, lines of t1 t2 x y z roll pitch yaw.");
-DEFINE_string(trajectory, "", "File of the trajectory to score, TUM format.");
+DEFINE_string(relations, "",
+              "File of the true relations, a line t1 t2 x y z roll pitch yaw each (s, m, rad), "
+              "plain or gzipped.");
+DEFINE_string(trajectory, "", "File of the trajectory to score (TUM).");
 DEFINE_double(max_gap_s, gmapping_spa::metrics::RelationsOptions().max_gap_s,
-              "A relation counts only if each of its stamps is this near (seconds) to a stamp of "
-              "the trajectory; between stamps the pose is interpolated.");
+              "Largest distance in s, from 0, of each stamp of a relation to a stamp of the "
+              "trajectory for the relation to count; between stamps the pose is interpolated.");
 
 namespace gmapping_spa::apps {
 namespace {

@@ -12,17 +12,21 @@
 #include "experiments/apps/trajectory_files.h"
 #include "experiments/metrics/trajectory_error.h"
 
-DEFINE_string(truth, "", "File of the true trajectory, TUM format.");
-DEFINE_string(trajectory, "", "File of the trajectory to score, TUM format.");
-DEFINE_double(max_gap_s, 0.01,
-              "Poses belong together when their stamps differ by this at most "
-              "(seconds).");
+DEFINE_string(truth, "", "File of the true trajectory (TUM).");
+DEFINE_string(trajectory, "", "File of the trajectory to score (TUM).");
+DEFINE_double(
+    max_gap_s, 0.01,
+    "Largest difference in s, from 0, between the stamps of two poses that belong together.");
 DEFINE_string(
     align, "se2",
     "How the trajectory is laid over the truth before absolute errors are taken: se2 (least "
     "squared distance, no scale), first (by the first poses) or none.");
-DEFINE_double(rpe_delta, 1.0, "Length of a step of the relative pose error, in --rpe_unit.");
-DEFINE_string(rpe_unit, "frames", "Unit of --rpe_delta: frames, m (along the path) or s.");
+DEFINE_double(
+    rpe_delta, 1.0,
+    "Length of a step of the relative pose error (RPE), above 0, in the unit of --rpe_unit.");
+DEFINE_string(rpe_unit, "frames",
+              "Unit of the step of the relative pose error (RPE), --rpe_delta: frames (poses), m "
+              "(path length) or s.");
 
 namespace gmapping_spa::apps {
 namespace {

@@ -20,7 +20,8 @@
 #include "frontend/sensor/open_log.h"
 
 DEFINE_string(log, "", "Sensor log (CARMEN), plain or gzipped.");
-DEFINE_string(output_dir, "", "Folder for the results; made if needed.");
+DEFINE_string(output_dir, "",
+              "Folder for the trajectory, map, pose graph and record of the run; made if needed.");
 
 namespace gmapping_spa::apps {
 namespace {

@@ -29,57 +29,62 @@ const Choices<SlamOptions::Correction> kCorrection = {
 
 DEFINE_string(edge_measurement, NameOf(kEdgeMeasurement, kSlam.edge_measurement),
               "What an edge between successive nodes of the pose graph measures: lidar_odometry "
-              "(the motion that matching every scan found; with --odometry=raw or wheel as "
-              "particle) or particle (the step of the best particle).");
+              "(the motion found by matching every scan with the last ones; with --odometry=raw or "
+              "wheel the same as particle) or particle (the step of the best particle).");
 DEFINE_string(edge_information, NameOf(kEdgeInformation, kSlam.edge_information),
-              "Information matrix of an edge between successive nodes: proposal (inverse of the "
-              "covariance of eq. 12), hessian (of the scan match) or constant.");
+              "Information matrix of an edge between successive nodes of the pose graph: proposal "
+              "(inverse of the covariance of the improved proposal, eq. 12), hessian (of the scan "
+              "match) or constant.");
 
 DEFINE_bool(loop_closure, kSlam.loop_closure,
             "Look for loop closures and add them to the pose graph.");
 DEFINE_double(closure_min_path_length_m, kSlam.closure_min_path_length_m,
-              "Loop closures: path length in m from one node to the other, the shortest way "
-              "through the graph, from which on they may be closed.");
+              "Loop closures: least path length in m, from 0, from one node to the other through "
+              "the graph, for the two to be joined.");
 DEFINE_double(closure_max_distance_m, kSlam.closure_max_distance_m,
-              "Loop closures near the estimate: largest distance in m between two nodes, to which "
-              "three standard deviations of the drift between them are added.");
-DEFINE_double(
-    closure_drift_m_per_m, kSlam.closure_drift_m_per_m,
-    "Loop closures: standard deviation of the drift of the position expected, in m per m driven.");
-DEFINE_double(
-    closure_drift_rad_per_m, kSlam.closure_drift_rad_per_m,
-    "Loop closures: standard deviation of the drift of the heading expected, in rad per m driven.");
+              "Loop closures near the estimate: largest distance between two nodes in m, from 0 to "
+              "100, to which three standard deviations of the drift between them are added.");
+DEFINE_double(closure_drift_m_per_m, kSlam.closure_drift_m_per_m,
+              "Loop closures: expected drift of the position, as a standard deviation in m per m "
+              "driven, from 0 to 1.");
+DEFINE_double(closure_drift_rad_per_m, kSlam.closure_drift_rad_per_m,
+              "Loop closures: expected drift of the heading, as a standard deviation in rad per m "
+              "driven, from 0 to 1.");
 DEFINE_bool(closure_everywhere, kSlam.closure_everywhere,
-            "Loop closures: look in the whole map for places that look alike as well (place "
-            "recognition), however large the drift. Without it, near the estimate only.");
+            "Loop closures: recognize places in the whole map, however large the drift. Without "
+            "it, loop closures are found near the estimate only.");
 DEFINE_double(closure_min_score, kSlam.closure_min_score,
-              "Loop closures: least score, 0 to 1, of correlative scan matching.");
+              "Loop closures: least score of the correlative scan match, from 0.01 to 1, for a "
+              "candidate to be accepted.");
 DEFINE_double(closure_max_runner_up_score, kSlam.closure_max_runner_up_score,
-              "Loop closures: a match is ambiguous, and refused, where another pose scores more "
-              "than this part, 0 to 1, of the best score.");
+              "Loop closures: a candidate is ambiguous, and rejected, where another pose scores "
+              "more than this part, 0 to 1, of the best score.");
 DEFINE_double(closure_min_overlap, kSlam.closure_min_overlap,
-              "Loop closures: least part, 0 to 1, of the new end points that must lie in the known "
-              "part of the old local map.");
-DEFINE_double(closure_min_inlier_ratio, kSlam.closure_min_inlier_ratio,
-              "Loop closures: least part, 0 to 1, of the new end points in the known part of the "
-              "old local map that must end at its obstacles.");
+              "Loop closures: least part, 0 to 1, of the new scan's end points that must lie in "
+              "the known part of the old local map for a candidate to be accepted.");
+DEFINE_double(
+    closure_min_inlier_ratio, kSlam.closure_min_inlier_ratio,
+    "Loop closures: inlier ratio, 0 to 1: least part of the new scan's end points in the known "
+    "part of the old local map that must lie at its obstacles for a candidate to be accepted.");
 DEFINE_double(closure_information_gain, kSlam.closure_information_gain,
-              "Loop closures: factor on the information matrix of the scan match, since "
-              "neighboring beams share their errors.");
+              "Loop closures: factor, above 0, on the information matrix of the scan match; below "
+              "1, since neighboring beams share their errors.");
 
 DEFINE_int32(optimize_every, kSlam.optimize_every,
-             "The back end optimizes the pose graph each time that this many nodes were added, and "
-             "after each loop closure.");
-DEFINE_string(graph_thread, NameOf(kGraphThread, kSlam.graph_thread),
-              "When the filter takes over what the back end, in a thread of its own, found: "
-              "lockstep (--lockstep_scans after it was started: the same results every time), "
-              "async (as soon as it is there) or inline (at the next scan, for which it waits).");
+             "Number of nodes, from 1, that are added to the pose graph between two optimizations "
+             "by the back end; it optimizes after each loop closure as well.");
+DEFINE_string(
+    graph_thread, NameOf(kGraphThread, kSlam.graph_thread),
+    "When the filter applies the graph that the back end optimizes in a thread of its own: "
+    "lockstep (--lockstep_scans scans after the start: the same results every time), async (as "
+    "soon as it is there) or inline (at the next scan, which waits for it).");
 DEFINE_int32(lockstep_scans, kSlam.lockstep_scans,
-             "With --graph_thread=lockstep, number of scans from the start of an optimization to "
-             "when its result is taken over.");
-DEFINE_double(graph_timeout_s, kSlam.graph_timeout_s,
-              "Longest time in s to wait for the back end when its result is due; ten times as "
-              "long after the last scan. Then the run goes on without it, and says so.");
+             "With --graph_thread=lockstep, number of scans, from 1, from the start of an "
+             "optimization to the scan at which its result is applied.");
+DEFINE_double(
+    graph_timeout_s, kSlam.graph_timeout_s,
+    "Longest time in s, from 0, to wait for the back end when its result is due, ten times as long "
+    "after the last scan. Then the run goes on without the result, and says so.");
 DEFINE_string(
     correction, NameOf(kCorrection, kSlam.correction),
     "What an optimized graph moves of each particle (eq. 14): pose (its current pose, as the paper "
@@ -89,8 +94,8 @@ DEFINE_bool(final_optimization, kSlam.final_optimization,
             "After the last scan, look for loop closures of all nodes, optimize, align all scans "
             "with the map (--refine) and build the map from all scans.");
 DEFINE_int32(refine, kSlam.refine,
-             "Number of times that the final optimization aligns all scans with the map and "
-             "optimizes; 0: never.");
+             "Number of times, from 0, that the final optimization aligns all scans with the map "
+             "and optimizes the pose graph.");
 
 namespace gmapping_spa::apps {
 

@@ -18,8 +18,8 @@
 
 DEFINE_string(log, "", "Sensor log (CARMEN), plain or gzipped.");
 DEFINE_string(output_dir, "",
-              "Folder for the picture inspect.png, made if needed; none: no picture.");
-DEFINE_bool(json, false, "Print JSON instead of text.");
+              "Folder for the picture inspect.png, made if needed. Empty: no picture.");
+DEFINE_bool(json, false, "Print the findings as JSON instead of text.");
 
 namespace gmapping_spa::apps {
 namespace {

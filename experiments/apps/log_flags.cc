@@ -14,26 +14,28 @@ const gmapping_spa::sensor::LogOptions kDefaults;
 }
 
 DEFINE_double(usable_range_m, kDefaults.usable_range_m,
-              "A range this long in m or longer counts as no return.");
+              "Usable range of the laser in m, from 0.01 to 1000: a range this long or longer "
+              "counts as no return.");
 DEFINE_double(range_min_m, kDefaults.range_min_m,
-              "A range shorter than this in m is invalid, and its beam is left out.");
+              "Least range of the laser in m, from 0 to --usable_range_m: a beam with a shorter "
+              "range is left out as invalid.");
 DEFINE_string(fov_deg, "",
-              "Field of view in degrees, from the first beam to the last, instead of the log's. "
-              "Empty: the log's.");
+              "Field of view of the laser in degrees, -360 to 360, from the first beam to the "
+              "last. Empty: that of the log.");
 DEFINE_string(angle_min_deg, "",
-              "Angle in degrees of the first beam, in the laser's frame, instead of the log's. "
-              "Empty: the log's.");
+              "Angle of the first beam in the laser's frame in degrees, -360 to 360. Empty: that "
+              "of the log.");
 DEFINE_string(laser_pose, "",
-              "Pose x,y,theta (m, m, rad) of the laser on the robot, instead of the log's. Empty: "
-              "the log's.");
+              "Pose x,y,theta (m, m, rad) of the laser in the robot's frame, within 100 m and one "
+              "turn. Empty: that of the log.");
 DEFINE_bool(laser_flipped, kDefaults.flipped,
             "The laser is mounted upside down: beam angles change their sign.");
+DEFINE_double(reorder_window_s, kDefaults.reorder_window_s,
+              "Time in s, from 0 to 1e6, by which a record of the log may be late and is still put "
+              "in the order of stamps; a later one is taken for a clock that was set back.");
 DEFINE_double(
-    reorder_window_s, kDefaults.reorder_window_s,
-    "Records are put in the order of their stamps where they are at most this late, in s; one "
-    "that is later is taken for a clock that was set back.");
-DEFINE_double(gap_s, kDefaults.gap_s,
-              "A longer time in s between two scans is counted and reported as a gap.");
+    gap_s, kDefaults.gap_s,
+    "Time in s, above 0, between two scans above which it is counted and reported as a gap.");
 DEFINE_string(bad_record, "skip",
               "What to do about records of the log that cannot be used: skip (and count them) or "
               "fail (at the first one, with its line number).");

@@ -17,10 +17,10 @@
 #include "experiments/apps/input_file.h"
 #include "experiments/apps/output_files.h"
 
-DEFINE_string(input, "", "File of the pose graph, .g2o or TORO's .graph, possibly gzipped.");
-DEFINE_string(output, "", "File that gets the optimized graph as .g2o; none when empty.");
-DEFINE_string(png, "", "File that gets a picture of the graph before and after; none when empty.");
-DEFINE_bool(verbose, false, "Print a table of the iterations to stderr.");
+DEFINE_string(input, "", "File of the pose graph, .g2o or TORO's .graph, plain or gzipped.");
+DEFINE_string(output, "", "File that gets the optimized graph as .g2o. Empty: none.");
+DEFINE_string(png, "", "PNG file that gets a picture of the graph before and after. Empty: none.");
+DEFINE_bool(verbose, false, "Print a table of the iterations of the optimization to stderr.");
 DEFINE_bool(list_backends, false, "List the back ends that --backend finds, and exit.");
 
 namespace gmapping_spa::apps {

@@ -11,9 +11,11 @@
 #include "experiments/simulation/carmen_writer.h"
 
 DEFINE_string(output_dir, "",
-              "Folder for log.clf, truth.tum, truth.pgm and truth.yaml, with --obstacles "
-              "truth_obstacles.pgm and truth_obstacles.yaml.");
-DEFINE_uint64(seed, gmapping_spa::simulation::SimulationOptions().seed, "Seed of all noise.");
+              "Folder for log.clf, truth.tum, truth.pgm and truth.yaml, and with --obstacles "
+              "truth_obstacles.pgm and truth_obstacles.yaml; made if needed.");
+DEFINE_uint64(
+    seed, gmapping_spa::simulation::SimulationOptions().seed,
+    "Seed of all random numbers of the simulation: the same flags and seed give the same files.");
 
 namespace gmapping_spa::apps {
 namespace {

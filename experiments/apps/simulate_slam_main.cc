@@ -13,7 +13,7 @@
 #include "experiments/apps/slam_run.h"
 #include "experiments/simulation/scan_player.h"
 
-DEFINE_string(output_dir, "", "Folder for the results; made if needed.");
+DEFINE_string(output_dir, "", "Folder for the results of SLAM and the truth; made if needed.");
 DECLARE_uint64(seed);
 
 namespace gmapping_spa::apps {

@@ -22,85 +22,104 @@ namespace {
 const gmapping_spa::simulation::SimulationOptions kDefault;
 }  // namespace
 
-DEFINE_string(world, "", "World file (YAML): see experiments/simulation/README.md.");
-DEFINE_string(path, "",
-              "Way points of the tour (YAML). Empty: the world file's name with .path.yaml.");
+DEFINE_string(world, "", "World file (YAML), as experiments/simulation/README.md describes it.");
 DEFINE_string(
-    obstacles, "",
-    "File of obstacles (YAML) to put into the world, such as worlds/paper_obstacles.yaml.");
+    path, "",
+    "File of the tour's way points (YAML). Empty: the world file's name with .path.yaml.");
+DEFINE_string(obstacles, "",
+              "File of obstacles (YAML) to put into the world, such as "
+              "worlds/paper_obstacles.yaml. Empty: none.");
 DEFINE_bool(walking_pedestrian, false,
             "The pedestrian of --obstacles walks, and is not part of the true map.");
-DEFINE_double(max_speed, kDefault.follower.max_speed_m_s, "Highest speed, m/s.");
-DEFINE_double(max_turn_rate, kDefault.follower.max_turn_rate_rad_s, "Highest turn rate, rad/s.");
+DEFINE_double(max_speed, kDefault.follower.max_speed_m_s,
+              "Highest speed of the robot in m/s, from 0.01 to 100.");
+DEFINE_double(max_turn_rate, kDefault.follower.max_turn_rate_rad_s,
+              "Highest turn rate of the robot in rad/s, from 0.01 to 100.");
 DEFINE_double(robot_radius, kDefault.robot_radius_m,
-              "Radius in m of the robot, which must not touch anything.");
-DEFINE_double(scan_rate, kDefault.lidar.rate_hz, "Scans a second; odometry comes twice as often.");
+              "Radius of the robot in m, from 0.01 to 100; it must not touch anything.");
+DEFINE_double(scan_rate, kDefault.lidar.rate_hz,
+              "Number of scans per second, from 0.1 to 1000; odometry comes twice as often.");
 DEFINE_double(angular_resolution, 360.0 / kDefault.lidar.beams,
-              "Degrees from beam to beam, such that they divide --fov_deg.");
+              "Angle in degrees, from 0.001, from one beam to the next; it must divide --fov_deg.");
 DEFINE_double(fov_deg, 360.0,
-              "The laser's field of view in degrees: from the first beam to the last, or 360 for a "
-              "whole turn.");
+              "Field of view of the laser in degrees, 0 to 360, from the first beam to the last; "
+              "360 is a whole turn.");
 DEFINE_double(fov_center_deg, 0.0,
-              "Direction in degrees of the middle of the field of view, in the laser's frame: the "
-              "first beam is half of --fov_deg before it.");
+              "Direction in degrees, -360 to 360, of the middle of the field of view in the "
+              "laser's frame: the first beam is half of --fov_deg before it.");
 DEFINE_string(laser_mount, "0,0,0",
-              "Pose x,y,theta (m, m, degrees) of the laser on the robot: 0.2,0,180 looks to the "
-              "rear.");
-DEFINE_double(max_range, kDefault.lidar.max_range_m,
-              "Range of the laser in m; written where a beam has no return.");
-DEFINE_double(range_noise, kDefault.lidar.range_noise_m, "Standard deviation of a range, m.");
-DEFINE_bool(motion_during_scan, kDefault.lidar.motion_during_scan,
-            "Each beam is measured at its time in the laser's turn, the middle of the field of "
-            "view at the scan's stamp; else all at once.");
-DEFINE_string(cover, "",
-              "Times begin,end,begin,end ... in s between which something lies on the laser: all "
-              "beams read --cover_range.");
-DEFINE_double(cover_range, kDefault.covered_range_m,
-              "What a covered laser reads, m; --max_range or more is no return.");
-DEFINE_string(scan_gaps, "",
-              "Times begin,end,begin,end ... in s between which no scans are taken.");
-DEFINE_bool(reverse, kDefault.follower.reverse, "Drives the tour backwards: the rear goes first.");
-DEFINE_double(turns_at_way_points, kDefault.follower.turns_at_way_points,
-              "Full turns that the robot makes on the spot at each way point but the first; "
-              "clockwise when negative.");
-DEFINE_double(carry_s, kDefault.carry_s,
-              "Seconds that it takes to carry the robot to where another of the --path file's "
-              "tours begins; wheels stand still and no scans are taken meanwhile.");
-DEFINE_int32(crowd, kDefault.walkers,
-             "People who walk about within 12 m of the robot and never touch it.");
-DEFINE_string(wheels, "noisy",
-              "What the odometry says: noisy (the truth with the errors that the flags below "
-              "describe), exact (the truth) or silent (always the pose 0 0 0).");
-DEFINE_double(odometry_noise, kDefault.odometry.noise,
-              "Factor on the standard deviations of the odometry's normal noise.");
-DEFINE_double(interference, kDefault.odometry.interference,
-              "Factor on the size of slips, bumps and biases: all that is not normal noise.");
-DEFINE_double(slip_probability, kDefault.odometry.slips_per_m,
-              "Probability per metre that a wheel starts to slip: for --slip_duration_s it reports "
-              "too much or too little.");
-DEFINE_double(slip_size, kDefault.odometry.slip_deviation,
-              "Standard deviation of the error of a wheel that slips, as a part of its travel.");
-DEFINE_double(slip_duration_s, kDefault.odometry.slip_duration_s, "How long a slip takes, s.");
+              "Pose x,y,theta (m, m, degrees) of the laser in the robot's frame, within 100 m and "
+              "360 degrees: 0.2,0,180 looks to the rear.");
 DEFINE_double(
-    bump_probability, kDefault.odometry.bumps_per_m,
-    "Probability per metre that the robot is knocked: its odometry jumps from one reading to the "
-    "next.");
-DEFINE_double(bump_deg, kDefault.odometry.bump_deviation_rad * 180.0 / std::numbers::pi,
-              "Standard deviation in degrees of the heading's jump at a knock.");
-DEFINE_double(bump_m, kDefault.odometry.bump_deviation_m,
-              "Standard deviation in m of the jump along the heading at a knock.");
-DEFINE_double(calm_s, kDefault.odometry.calm_s, "Seconds from the start without slips and knocks.");
+    max_range, kDefault.lidar.max_range_m,
+    "Largest range of the laser in m, from 0.01 to 10000; written where a beam has no return.");
+DEFINE_double(range_noise, kDefault.lidar.range_noise_m,
+              "Standard deviation of the noise of a range in m, from 0 to 100.");
+DEFINE_bool(motion_during_scan, kDefault.lidar.motion_during_scan,
+            "Each beam is measured at its own time while the laser turns, the middle of the field "
+            "of view at the scan's stamp. Without it, all beams are measured at once.");
+DEFINE_string(cover, "",
+              "Times begin,end,begin,end,... in s from the start, ascending, between which the "
+              "laser is covered: all beams read --cover_range. Empty: never.");
+DEFINE_double(
+    cover_range, kDefault.covered_range_m,
+    "Range in m, from 0 to 10000, that a covered laser reads; --max_range or more is no return.");
+DEFINE_string(scan_gaps, "",
+              "Times begin,end,begin,end,... in s from the start, ascending, between which no "
+              "scans are taken. Empty: none.");
+DEFINE_bool(reverse, kDefault.follower.reverse,
+            "The robot drives the tour in reverse gear: its rear goes first.");
+DEFINE_double(turns_at_way_points, kDefault.follower.turns_at_way_points,
+              "Number of full turns, -1000 to 1000, that the robot makes on the spot at each way "
+              "point but the first; clockwise when negative.");
+DEFINE_double(carry_s, kDefault.carry_s,
+              "Time in s, from 0, that it takes to carry the robot to where another of the --path "
+              "file's tours begins; meanwhile the wheels stand still and no scans are taken.");
+DEFINE_int32(
+    crowd, kDefault.walkers,
+    "Number of people, 0 to 1000, who walk about within 12 m of the robot and never touch it.");
+DEFINE_string(wheels, "noisy",
+              "What the wheel odometry says: noisy (the truth with errors, which the flags from "
+              "--odometry_noise to --wheel_base_factor describe), exact (the truth) or silent "
+              "(always the pose 0 0 0).");
+DEFINE_double(odometry_noise, kDefault.odometry.noise,
+              "Factor, 0 to 1000, on the standard deviations of the odometry's normal noise; 1: "
+              "that of good wheels.");
+DEFINE_double(interference, kDefault.odometry.interference,
+              "Factor, 0 to 1000, on the size of slips, bumps and biases of the odometry: all its "
+              "errors that are not normal noise.");
+DEFINE_double(slip_probability, kDefault.odometry.slips_per_m,
+              "Number of slips of a wheel expected per m driven, 0 to 1000: for --slip_duration_s "
+              "the wheel reports too much or too little.");
+DEFINE_double(
+    slip_size, kDefault.odometry.slip_deviation,
+    "Standard deviation, 0 to 100, of the error of a slipping wheel, as a part of its travel.");
+DEFINE_double(slip_duration_s, kDefault.odometry.slip_duration_s,
+              "Time in s, 0 to 1000, that a slip of a wheel takes.");
+DEFINE_double(bump_probability, kDefault.odometry.bumps_per_m,
+              "Number of bumps expected per m driven, 0 to 1000: the odometry jumps from one "
+              "reading to the next.");
+DEFINE_double(
+    bump_deg, kDefault.odometry.bump_deviation_rad * 180.0 / std::numbers::pi,
+    "Standard deviation of the jump of the odometry's heading at a bump in degrees, 0 to 360.");
+DEFINE_double(
+    bump_m, kDefault.odometry.bump_deviation_m,
+    "Standard deviation of the jump of the odometry along the heading at a bump in m, 0 to 100.");
+DEFINE_double(calm_s, kDefault.odometry.calm_s,
+              "Time in s, from 0, from the start without slips and bumps.");
 DEFINE_double(wheel_scale_bias, kDefault.odometry.wheel_scale_deviation,
-              "Standard deviation of the error of both wheels' size, as a part of it; the seed "
-              "draws one for the whole tour.");
+              "Standard deviation, 0 to 0.1, of the relative error of the size of both wheels; the "
+              "seed draws one error for the whole tour.");
 DEFINE_double(wheel_ratio_bias, kDefault.odometry.wheel_ratio_deviation,
-              "The same of how much larger one wheel is than the other.");
-DEFINE_double(wheel_base_factor, kDefault.odometry.wheel_base_factor,
-              "Distance between the wheels that the odometry believes in, as a part of the true "
-              "one, 0.5 to 2: 1.05 reports turns 5 % too small, 1 is exact. --interference does "
-              "not scale it.");
+              "Standard deviation, 0 to 0.1, of the relative difference between the sizes of the "
+              "two wheels; the seed draws one difference for the whole tour.");
+DEFINE_double(
+    wheel_base_factor, kDefault.odometry.wheel_base_factor,
+    "Distance between the wheels that the odometry assumes, as a part of the true one, 0.5 to 2: "
+    "1.05 reports turns 5 % too small, 1 is exact. --interference does not scale it.");
 DEFINE_double(truth_resolution, 0.05,
-              "Cell size in m of the true map, a multiple of the world's; 0: the world's.");
+              "Edge length of a cell of the true map in m, from 0, a multiple of the world's; 0: "
+              "that of the world.");
 
 namespace gmapping_spa::apps {
 namespace {

@@ -36,37 +36,41 @@ const Choices<SlamOptions::MotionNoise> kMotionNoise = {
 
 }  // namespace
 
-DEFINE_int32(particles, kSlam.particles, "Number of particles of the filter.");
+DEFINE_int32(particles, kSlam.particles,
+             "Number of particles of the filter, from 1: hypotheses of the trajectory, each with a "
+             "map of its own.");
 DEFINE_uint64(seed, kSlam.seed,
               "Seed of all random numbers: the same input, flags and seed give the same results.");
-DEFINE_int32(threads, kSlam.threads,
-             "Number of threads for the particles; the results do not depend on it.");
+DEFINE_int32(
+    threads, kSlam.threads,
+    "Number of threads that share the particles, from 1 to 1024; results do not depend on it.");
 
 DEFINE_double(linear_update_m, kSlam.linear_update_m,
-              "The filter is updated after this much driving, m; with scans of fewer than 90 beams "
-              "sooner, by the square of their number.");
-DEFINE_double(
-    angular_update_rad, kSlam.angular_update_rad,
-    "The filter is updated after this much turning, rad; with scans of fewer than 90 beams "
-    "sooner, as with --linear_update_m.");
-DEFINE_double(
-    resample_threshold, kSlam.resample_threshold,
-    "Particles are resampled when N_eff falls below this part, 0 to 1, of their number (eq. 17).");
+              "Distance driven in m, from 0, after which the filter is updated. With scans of n < "
+              "90 beams the distance is multiplied by (n / 90)^1.5.");
+DEFINE_double(angular_update_rad, kSlam.angular_update_rad,
+              "Angle turned in rad, from 0, after which the filter is updated. With scans of n < "
+              "90 beams the angle is multiplied by (n / 90)^1.5.");
+DEFINE_double(resample_threshold, kSlam.resample_threshold,
+              "Particles are resampled when their effective number N_eff (eq. 17) falls below this "
+              "part, 0 to 1, of their number.");
 DEFINE_string(
     odometry, NameOf(kOdometry, kSlam.odometry),
     "Control input of the filter: raw (the log's odometry, right or wrong, as GMapping takes it), "
     "wheel (the log's odometry without impossible steps; scans tell how far to trust it), "
     "lidar (every scan is matched with the last ones, the wheels are a part of the prior) "
     "or lidar_only (scans alone; the log's odometry is not used).");
-DEFINE_double(max_speed_m_s, kSlam.max_speed_m_s,
-              "Highest speed of the robot, m/s. A faster step of the odometry is left out.");
+DEFINE_double(
+    max_speed_m_s, kSlam.max_speed_m_s,
+    "Highest speed of the robot in m/s, from 0.01; a faster step of the odometry is left out.");
 DEFINE_double(max_turn_rad_s, kSlam.max_turn_rad_s,
-              "Highest turn rate of the robot, rad/s. A faster step of the odometry is left out.");
+              "Highest turn rate of the robot in rad/s, from 0.01; a faster step of the odometry "
+              "is left out.");
 DEFINE_string(
     sweep_duration_s, "auto",
-    "Time from the first beam of a scan to the last one, s, from -1 to 1, by which scans of a "
-    "moving robot are deskewed; negative: the first beam is measured last; 0: all at once; auto: "
-    "learned from how scans bend when the robot turns. Not for --odometry=raw.");
+    "Time in s, from -1 to 1, from the first beam of a scan to the last one, by which the scans of "
+    "a moving robot are deskewed. Negative: the last beam is measured first; 0: all beams at once; "
+    "auto: learned from how scans bend when the robot turns. Not for --odometry=raw.");
 DEFINE_string(scan_matcher, NameOf(kScanMatcher, kSlam.scan_matcher),
               "Scan matcher of the particles: hill_climbing or gauss_newton.");
 DEFINE_string(match_start, NameOf(kMatchStart, kSlam.match_start),
@@ -74,8 +78,8 @@ DEFINE_string(match_start, NameOf(kMatchStart, kSlam.match_start),
               "the best of --initial_guesses) or draw (one draw from the motion model, which is "
               "also the particle's pose if the match fails, as in GMapping).");
 DEFINE_int32(initial_guesses, kSlam.initial_guesses,
-             "Draws from the motion model among which scan matching chooses its start, besides the "
-             "odometry's prediction; without effect on --match_start=draw.");
+             "Number of draws from the motion model, from 0, among which scan matching chooses its "
+             "start, besides the odometry's prediction; without effect with --match_start=draw.");
 DEFINE_string(proposal, NameOf(kProposal, kSlam.proposal),
               "Pose of a particle after a scan match: gaussian (drawn from the improved proposal, "
               "the Gaussian of scan and odometry around the match, and weighted by its integral) "
@@ -83,13 +87,14 @@ DEFINE_string(proposal, NameOf(kProposal, kSlam.proposal),
               "does).");
 DEFINE_double(
     obs_sigma_gain, kSlam.obs_sigma_gain,
-    "Weights of particles are flattened by the exponent 1 / (gain * number of particles), so that "
-    "neighboring beams are not counted as independent; GMapping's ogain.");
+    "Weights of particles are flattened by the exponent 1 / (gain * number of particles), with "
+    "this gain above 0, since neighboring beams are not independent; GMapping's ogain.");
 
-DEFINE_double(resolution_m, kSlam.resolution_m, "Size of a map cell, m.");
+DEFINE_double(resolution_m, kSlam.resolution_m,
+              "Edge length of a cell of all maps in m, from 0.005 to 10.");
 DEFINE_double(full_threshold, kSlam.full_threshold,
-              "For scan matching, a cell is an obstacle when more than this part, 0 to 1, of the "
-              "beams that met it ended in it. 0: one hit makes it so for ever.");
+              "For scan matching, a cell is occupied when more than this part, 0 to 1, of the "
+              "beams that met it ended in it. 0: one hit is enough, for ever.");
 DEFINE_double(occupied_threshold, kSlam.occupied_threshold,
               "In the map written, a cell is occupied when more than this part, 0 to 1, of the "
               "beams that met it ended in it.");
@@ -97,64 +102,70 @@ DEFINE_bool(no_return_clears, kSlam.no_return_clears,
             "Beams without return mark the map as free up to --usable_range_m.");
 
 DEFINE_double(match_linear_step_m, kSlam.match_linear_step_m,
-              "First step of hill climbing in the position, m.");
+              "First step of hill-climbing scan matching in the position, m, from 0.001 to 10.");
 DEFINE_double(match_angular_step_rad, kSlam.match_angular_step_rad,
-              "First step of hill climbing in the heading, rad.");
+              "First step of hill-climbing scan matching in the heading, rad, from 0.0001 to 3.");
 DEFINE_int32(match_refinements, kSlam.match_refinements,
-             "Number of times that hill climbing halves its steps before it ends.");
-DEFINE_double(match_noise_m, kSlam.match_noise_m,
-              "Standard deviation in m of a beam's end point in Gauss-Newton scan matching.");
+             "Number of times, from 0 to 20, that hill-climbing scan matching halves its steps "
+             "before it ends.");
+DEFINE_double(
+    match_noise_m, kSlam.match_noise_m,
+    "Gauss-Newton scan matching: standard deviation of a beam's end point in m, from 0.001.");
 DEFINE_double(match_robust_sigmas, kSlam.match_robust_sigmas,
-              "Gauss-Newton scan matching lowers the weight of a beam (Cauchy) from this many "
-              "standard deviations on.");
-DEFINE_double(match_min_score, kSlam.match_min_score,
-              "A particle's scan match with a mean score a beam (0 to 1) below this has failed.");
+              "Gauss-Newton scan matching: width of the Cauchy loss, above 0, in standard "
+              "deviations of a beam's end point; farther beams lose weight.");
+DEFINE_double(
+    match_min_score, kSlam.match_min_score,
+    "A particle's scan match has failed when its mean score per beam, 0 to 1, is below this.");
 DEFINE_double(score_sigma_m, kSlam.score_sigma_m,
-              "Hill climbing scores a beam by a Gaussian of its distance to the nearest hit; its "
-              "standard deviation, m.");
+              "Hill-climbing scan matching: standard deviation in m, from 0.001, of the Gaussian "
+              "that scores a beam by the distance of its end point to the nearest hit of the map.");
 DEFINE_bool(free_cell_in_front, kSlam.free_cell_in_front,
-            "For the score of hill climbing and --likelihood=nearest_hit, a hit of the map "
-            "explains a beam only where the cell before it, toward the laser, is not an obstacle "
-            "as well. GMapping's program has this rule without effect.");
+            "In hill-climbing scan matching and with --likelihood=nearest_hit, a hit of the map "
+            "explains a beam only where the cell before the hit, toward the laser, is not "
+            "occupied. GMapping's program has this rule without effect.");
 DEFINE_string(likelihood, NameOf(kLikelihood, kSlam.likelihood),
               "Distance of a beam's end point in the likelihood, for weights and proposals: "
               "surface (to the surface that hits nearby form) or nearest_hit (to the nearest hit "
               "within a cell, as in GMapping).");
 DEFINE_double(likelihood_sigma_m, kSlam.likelihood_sigma_m,
-              "Standard deviation in m of a beam's end point in the likelihood.");
+              "Likelihood of a scan: standard deviation of a beam's end point in m, from 0.001.");
 DEFINE_double(likelihood_gain, kSlam.likelihood_gain,
-              "Exponent of the likelihood of a scan, 0 to 1: less than 1, since neighboring beams "
-              "share their errors.");
+              "Likelihood of a scan: exponent, above 0; below 1, since neighboring beams share "
+              "their errors.");
 DEFINE_bool(unseen_is_miss, kSlam.unseen_is_miss,
-            "For weights and proposals, a beam that ends where no beam has been yet counts as one "
-            "that does not fit the map, as in GMapping; else as one that says nothing.");
+            "Likelihood of a scan: a beam that ends where no beam has been yet counts as one that "
+            "does not fit the map, as in GMapping. Without it, such a beam says nothing.");
 DEFINE_double(unmatched_sigmas, kSlam.unmatched_sigmas,
-              "In the likelihood, a beam that the map does not explain counts as this many "
-              "standard deviations off.");
+              "Likelihood of a scan: distance in standard deviations, from 0.001 to 100, that a "
+              "beam counts which the map does not explain.");
 
-DEFINE_string(motion_noise, NameOf(kMotionNoise, kSlam.motion_noise),
-              "Motion model: noise is added to the motion between two updates as a whole (update) "
-              "or to the odometry's increment of each scan, so that a particle walks along at "
-              "random (scan, as in GMapping). The standard deviations below are of that motion.");
+DEFINE_string(
+    motion_noise, NameOf(kMotionNoise, kSlam.motion_noise),
+    "Motion model: noise is added to the motion between two updates as a whole (update) or to the "
+    "odometry's increment of each scan, so that a particle walks along at random (scan, as in "
+    "GMapping). --motion_linear_... and the like are the standard deviations for that motion.");
 DEFINE_double(motion_linear_per_linear, kSlam.motion_linear_per_linear,
-              "Motion model: standard deviation of the position along the motion, m per m driven "
-              "(GMapping's srr).");
-DEFINE_double(
-    motion_linear_per_angular, kSlam.motion_linear_per_angular,
-    "Motion model: standard deviation of the position, m per rad turned (GMapping's str).");
-DEFINE_double(
-    motion_lateral_per_linear, kSlam.motion_lateral_per_linear,
-    "Motion model: standard deviation of the position across the motion, m per m driven.");
-DEFINE_double(
-    motion_angular_per_linear, kSlam.motion_angular_per_linear,
-    "Motion model: standard deviation of the heading, rad per m driven (GMapping's srt).");
-DEFINE_double(
-    motion_angular_per_angular, kSlam.motion_angular_per_angular,
-    "Motion model: standard deviation of the heading, rad per rad turned (GMapping's stt).");
+              "Motion model: standard deviation of the position along the motion, m per m driven, "
+              "from 0 to 10 (GMapping's srr).");
+DEFINE_double(motion_linear_per_angular, kSlam.motion_linear_per_angular,
+              "Motion model: standard deviation of the position, m per rad turned, from 0 to 10 "
+              "(GMapping's str).");
+DEFINE_double(motion_lateral_per_linear, kSlam.motion_lateral_per_linear,
+              "Motion model: standard deviation of the position across the motion, m per m driven, "
+              "from 0 to 10.");
+DEFINE_double(motion_angular_per_linear, kSlam.motion_angular_per_linear,
+              "Motion model: standard deviation of the heading, rad per m driven, from 0 to 10 "
+              "(GMapping's srt).");
+DEFINE_double(motion_angular_per_angular, kSlam.motion_angular_per_angular,
+              "Motion model: standard deviation of the heading, rad per rad turned, from 0 to 10 "
+              "(GMapping's stt).");
 DEFINE_double(motion_linear_floor_m, kSlam.motion_linear_floor_m,
-              "Motion model: standard deviation of the position of a robot that stands still, m.");
+              "Motion model: least standard deviation of the position, that of a robot that stands "
+              "still, m, above 0, at most 10.");
 DEFINE_double(motion_angular_floor_rad, kSlam.motion_angular_floor_rad,
-              "Motion model: standard deviation of the heading of a robot that stands still, rad.");
+              "Motion model: least standard deviation of the heading, that of a robot that stands "
+              "still, rad, above 0, at most 3.");
 
 namespace gmapping_spa::apps {
 namespace {
