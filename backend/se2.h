@@ -56,6 +56,16 @@ inline SE2 Between(const SE2& w_T_a, const SE2& w_T_b) {
   return {c * dx + s * dy, -s * dx + c * dy, WrapAngle(w_T_b.theta - w_T_a.theta)};
 }
 
+// The pose with `delta` added to its coordinates (x, y, theta), and back: Plus(from, Minus(to,
+// from)) is `to`. Not composition: x and y are changed along the axes of the frame that the pose is
+// given in, as optimizers and covariances in that frame have it. Angles are wrapped.
+inline SE2 Plus(const SE2& pose, const Eigen::Vector3d& delta) {
+  return {pose.x + delta.x(), pose.y + delta.y(), WrapAngle(pose.theta + delta.z())};
+}
+inline Eigen::Vector3d Minus(const SE2& to, const SE2& from) {
+  return {to.x - from.x, to.y - from.y, WrapAngle(to.theta - from.theta)};
+}
+
 // Exponential map: the motion reached after unit time at constant body velocity (vx, vy, omega).
 inline SE2 Exp(const Eigen::Vector3d& twist) {
   const double w = twist.z();

@@ -32,13 +32,11 @@ backend::Trajectory ScanPoses::Fill(const std::vector<SE2>& world_T_updates) con
     while (end < entries_.size() && !entries_[end].is_update) ++end;
 
     const SE2 world_T_odom = world_T_updates[update] * Inverse(entries_[begin].odom_T_robot);
-    SE2 correction{0, 0, 0};  // of the odometry's prediction, x, y and theta apart
+    Eigen::Vector3d correction = Eigen::Vector3d::Zero();  // of the odometry's prediction
     double total_motion = 0.0;
     if (end < entries_.size() && !entries_[end].begins_piece) {
       const SE2 predicted = world_T_odom * entries_[end].odom_T_robot;
-      const SE2& updated = world_T_updates[update + 1];
-      correction = {updated.x - predicted.x, updated.y - predicted.y,
-                    backend::WrapAngle(updated.theta - predicted.theta)};
+      correction = Minus(world_T_updates[update + 1], predicted);
       for (std::size_t k = begin + 1; k <= end; ++k) total_motion += entries_[k].motion;
     }
     double motion = 0.0;
@@ -48,10 +46,7 @@ backend::Trajectory ScanPoses::Fill(const std::vector<SE2>& world_T_updates) con
       const SE2 predicted = world_T_odom * entries_[k].odom_T_robot;
       by_index.emplace_back(
           entries_[k].index,
-          backend::StampedPose{
-              entries_[k].stamp_s,
-              {predicted.x + share * correction.x, predicted.y + share * correction.y,
-               backend::WrapAngle(predicted.theta + share * correction.theta)}});
+          backend::StampedPose{entries_[k].stamp_s, Plus(predicted, share * correction)});
     }
     begin = end;
   }

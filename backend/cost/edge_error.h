@@ -14,8 +14,7 @@ namespace gmapping_spa::backend {
 // theta_ij)), m and rad, translation in frame i. That of Konolige et al. 2010, eq. (1), and of .g2o
 // files' information (g2o itself turns the error into the frame of the measurement's end).
 inline Eigen::Vector3d EdgeError(const SE2& world_T_i, const SE2& world_T_j, const SE2& i_T_j) {
-  const SE2 estimate = Between(world_T_i, world_T_j);
-  return {estimate.x - i_T_j.x, estimate.y - i_T_j.y, WrapAngle(estimate.theta - i_T_j.theta)};
+  return Minus(Between(world_T_i, world_T_j), i_T_j);
 }
 
 // An error with its Jacobians in the coordinates (x, y, theta) of the two poses, which optimizers

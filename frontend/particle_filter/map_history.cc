@@ -37,8 +37,9 @@ MapHistory::MapHistory(const Options& options, const map::OccupancyGrid::Options
 }
 
 bool MapHistory::Moved(const SE2& a, const SE2& b) const {
-  return std::hypot(a.x - b.x, a.y - b.y) > options_.tolerance_m ||
-         std::abs(backend::WrapAngle(a.theta - b.theta)) > options_.tolerance_rad;
+  const Eigen::Vector3d moved = Minus(a, b);
+  return std::hypot(moved.x(), moved.y()) > options_.tolerance_m ||
+         std::abs(moved.z()) > options_.tolerance_rad;
 }
 
 void MapHistory::DropSnapshotsThatMoved(const std::vector<SE2>& trunk) {

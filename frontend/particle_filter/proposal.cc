@@ -17,14 +17,6 @@ using SymmetricEigenSolver = Eigen::SelfAdjointEigenSolver<Matrix3d>;
 
 constexpr double kAngularStep_rad = 0.01;  // moves an end point at 5 m by a cell of 0.05 m
 
-SE2 Moved(const SE2& pose, const Vector3d& offset) {
-  return {pose.x + offset.x(), pose.y + offset.y(), backend::WrapAngle(pose.theta + offset.z())};
-}
-
-Vector3d Offset(const SE2& from, const SE2& to) {
-  return {to.x - from.x, to.y - from.y, backend::WrapAngle(to.theta - from.theta)};
-}
-
 // Minus the Hessian of f at zero, where it is `center`, by central differences with unit step,
 // without the parts that curve upward: there the likelihood does not bound the pose.
 template <typename Function>
@@ -62,7 +54,7 @@ Proposal ComputeProposal(scan_matching::EndpointModel* model, const SE2& optimum
   for (int pass = 0; pass < 2; ++pass) {
     const Matrix3d information = Curvature(log_likelihood_at_optimum,
                                            [&](const Vector3d& q) {
-                                             return model->LogLikelihood(Moved(optimum, axes * q));
+                                             return model->LogLikelihood(Plus(optimum, axes * q));
                                            }) +
                                  axes.transpose() * prior_information * axes;
     const SymmetricEigenSolver eigen(information);
@@ -76,8 +68,8 @@ Proposal ComputeProposal(scan_matching::EndpointModel* model, const SE2& optimum
   Eigen::Array<double, kSamples, 1> log_target;
   for (int k = 0; k < kSamples; ++k) {
     offsets[k] = lattice * Vector3d(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-    const SE2 sample = Moved(optimum, offsets[k]);
-    const Vector3d innovation = Offset(motion_prior.mean, sample);
+    const SE2 sample = Plus(optimum, offsets[k]);
+    const Vector3d innovation = Minus(sample, motion_prior.mean);
     log_target[k] = model->LogLikelihood(sample) + log_prior_scale -
                     0.5 * innovation.dot(prior_information * innovation);
   }
@@ -97,7 +89,7 @@ Proposal ComputeProposal(scan_matching::EndpointModel* model, const SE2& optimum
   covariance += 1e-3 / 3.0 * lattice * lattice.transpose();
 
   Proposal proposal;
-  proposal.gaussian = {Moved(optimum, mean), covariance};
+  proposal.gaussian = {Plus(optimum, mean), covariance};
   // The sum times the volume of a lattice cell: comparable between particles whose lattices differ.
   proposal.log_eta = max_log_target + std::log(sum) + std::log(std::abs(lattice.determinant()));
   return proposal;
@@ -107,7 +99,7 @@ SE2 Draw(const PoseGaussian& gaussian, backend::CounterRandom* random) {
   const Matrix3d root = gaussian.covariance.llt().matrixL();
   Vector3d normal;
   for (double& value : normal) value = random->Gaussian();
-  return Moved(gaussian.mean, root * normal);
+  return Plus(gaussian.mean, root * normal);
 }
 
 }  // namespace gmapping_spa::particle_filter

@@ -154,14 +154,12 @@ GaussNewton::Alignment GaussNewton::Align(const map::OccupancyGrid& grid, const 
         Linearize(grid, points, pose, options_.noise_sigma_m, options_.robust_sigmas, &blocks);
     alignment.world_information = sum.hessian;
     alignment.inliers = sum.inliers;
-    const Eigen::Vector3d from_initial(
-        pose.x - initial_world_T_robot.x, pose.y - initial_world_T_robot.y,
-        backend::WrapAngle(pose.theta - initial_world_T_robot.theta));
+    const Eigen::Vector3d from_initial = Minus(pose, initial_world_T_robot);
     const Eigen::Vector3d step = (sum.hessian + prior_information)
                                      .ldlt()
                                      .solve(-sum.gradient - prior_information * from_initial);
     if (!step.allFinite()) break;
-    pose = {pose.x + step.x(), pose.y + step.y(), backend::WrapAngle(pose.theta + step.z())};
+    pose = Plus(pose, step);
     if (step.cwiseAbs().maxCoeff() < options_.step_tolerance) break;
   }
   return alignment;

@@ -52,9 +52,7 @@ Eigen::Matrix3d ScorePeak::Covariance(double log_weight_per_sum) const {
       lattice_->ForEachPart(block, [&](const PoseBlock& part) { blocks.push_back(part); });
       continue;
     }
-    const SE2 pose = lattice_->Pose(block);
-    const Eigen::Vector3d offset(pose.x - mode.x, pose.y - mode.y,
-                                 backend::WrapAngle(pose.theta - mode.theta));
+    const Eigen::Vector3d offset = Minus(lattice_->Pose(block), mode);
     const double weight = std::exp(log_weight_per_sum * (block.bound - best_.bound));
     weights += weight;
     moments += weight * offset * offset.transpose();

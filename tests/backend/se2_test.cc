@@ -42,6 +42,22 @@ TEST(SE2, MovesPointsLikeItsMatrix) {
   }
 }
 
+TEST(SE2, PlusChangesCoordinatesAndWrapsTheAngle) {
+  const SE2 pose = Plus({1.0, -2.0, 3.0}, {0.5, 0.25, 1.0});
+  EXPECT_EQ(pose.x, 1.5);
+  EXPECT_EQ(pose.y, -1.75);
+  EXPECT_NEAR(pose.theta, 4.0 - 2.0 * std::numbers::pi, 1e-15);
+}
+
+TEST(SE2, PlusUndoesMinus) {
+  for (const SE2& a : SomePoses()) {
+    for (const SE2& b : SomePoses()) {
+      EXPECT_TRUE(Homogeneous(Plus(a, Minus(b, a))).isApprox(Homogeneous(b), 1e-12));
+      EXPECT_LE(std::abs(Minus(b, a).z()), std::numbers::pi);
+    }
+  }
+}
+
 TEST(SE2, ExpIsTheMatrixExponential) {
   for (const double w : {0.0, 1e-9, 1e-5, 9e-5, 1.1e-4, 0.5, -2.0, 3.1}) {
     const Eigen::Vector3d twist(0.7, -1.3, w);

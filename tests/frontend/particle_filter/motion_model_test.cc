@@ -31,8 +31,7 @@ TEST_P(Sampling, HasTheMeanAndTheCovarianceOfTheClosedForm) {
   Matrix3d sum_of_squares = Matrix3d::Zero();
   for (int i = 0; i < kSamples; ++i) {
     const SE2 sample = model.Sample(previous, u, noise, &random);
-    const Vector3d d(sample.x - mean.x, sample.y - mean.y,
-                     backend::WrapAngle(sample.theta - mean.theta));
+    const Vector3d d = Minus(sample, mean);
     sum += d;
     sum_of_squares += d * d.transpose();
   }
@@ -125,8 +124,7 @@ TEST(MotionModel, NoiseAtEachScanHasTheCovarianceOfTheWalk) {
   Matrix3d sum_of_squares = Matrix3d::Zero();
   for (int i = 0; i < kSamples; ++i) {
     const SE2 sample = model.Sample(previous, control, &random);
-    const Vector3d d(sample.x - mean.x, sample.y - mean.y,
-                     backend::WrapAngle(sample.theta - mean.theta));
+    const Vector3d d = Minus(sample, mean);
     sum_of_squares += d * d.transpose();
   }
   EXPECT_LT((sum_of_squares / kSamples - expected).norm(), 0.05 * expected.norm());

@@ -25,14 +25,6 @@ using scan_matching::EndpointModel;
 using scan_matching::MakeScanPoints;
 using scan_matching::ScanPoints;
 
-Vector3d Offset(const SE2& from, const SE2& to) {
-  return {to.x - from.x, to.y - from.y, backend::WrapAngle(to.theta - from.theta)};
-}
-
-SE2 Moved(const SE2& pose, const Vector3d& offset) {
-  return {pose.x + offset.x(), pose.y + offset.y(), pose.theta + offset.z()};
-}
-
 // As wide as that of gmapping_plus.flags, so that a corridor shows.
 const MotionModel kMotionModel({.linear_per_linear = 0.2,
                                 .linear_per_angular = 0.1,
@@ -141,7 +133,7 @@ TEST(ComputeProposal, IsTheClosedFormOnAGaussianTarget) {
   const Matrix3d prior_information = prior_covariance.inverse();
 
   const Matrix3d covariance = (information + prior_information).inverse();
-  const Vector3d innovation = Offset(truth, prior.mean);
+  const Vector3d innovation = Minus(prior.mean, truth);
   const Vector3d mean = covariance * prior_information * innovation;
   // The integral of exp(-x' A x / 2) N(x; b, P) over x.
   const Matrix3d sum = information.inverse() + prior_covariance;
@@ -153,7 +145,7 @@ TEST(ComputeProposal, IsTheClosedFormOnAGaussianTarget) {
   const Matrix3d unit = root.inverse() * proposal.gaussian.covariance * root.inverse().transpose();
   // Three samples to an axis have 0.93 of the variance; one lattice is not quite that of the sum.
   EXPECT_LT((unit - Matrix3d::Identity()).cwiseAbs().maxCoeff(), 0.2) << unit;
-  EXPECT_LT((root.inverse() * (Offset(truth, proposal.gaussian.mean) - mean)).norm(), 0.15);
+  EXPECT_LT((root.inverse() * (Minus(proposal.gaussian.mean, truth) - mean)).norm(), 0.15);
   EXPECT_NEAR(proposal.log_eta, log_eta, 0.1);
 }
 
@@ -180,8 +172,8 @@ Moments BruteForce(EndpointModel* model, const PoseGaussian& prior, const PoseGa
     for (int j = -kHalf; j <= kHalf; ++j) {
       for (int k = -kHalf; k <= kHalf; ++k) {
         const Vector3d offset = step * Vector3d(i, j, k);
-        const SE2 pose = Moved(around.mean, offset);
-        const Vector3d innovation = Offset(prior.mean, pose);
+        const SE2 pose = Plus(around.mean, offset);
+        const Vector3d innovation = Minus(pose, prior.mean);
         const double weight = std::exp(model->LogLikelihood(pose) - reference + log_scale -
                                        0.5 * innovation.dot(information * innovation));
         sum += weight;
@@ -258,7 +250,7 @@ TEST(ComputeProposal, IsThePriorWhereTheMapSaysNothing) {
   EndpointModel model({}, &empty, &points);
   const PoseGaussian prior = PriorNear({1, 2, 0.5});
   const Proposal proposal = ComputeProposal(&model, prior.mean, prior);
-  EXPECT_LT(Offset(prior.mean, proposal.gaussian.mean).norm(), 1e-9);
+  EXPECT_LT(Minus(proposal.gaussian.mean, prior.mean).norm(), 1e-9);
   const Matrix3d unit = prior.covariance.inverse() * proposal.gaussian.covariance;
   EXPECT_LT((unit - Matrix3d::Identity()).cwiseAbs().maxCoeff(), 0.1);
   EXPECT_NEAR(proposal.log_eta, model.LogLikelihood(prior.mean), 0.02);
@@ -274,7 +266,7 @@ TEST(Draw, HasTheMeanAndTheCovarianceOfTheGaussian) {
   for (int i = 0; i < kSamples; ++i) {
     const SE2 sample = Draw(gaussian, &random);
     EXPECT_LE(std::abs(sample.theta), std::numbers::pi);
-    const Vector3d d = Offset(gaussian.mean, sample);
+    const Vector3d d = Minus(sample, gaussian.mean);
     first += d;
     second += d * d.transpose();
   }

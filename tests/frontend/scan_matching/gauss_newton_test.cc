@@ -88,8 +88,7 @@ TEST_F(GaussNewtonInRoom, EndsWhereGradientAndPriorAreInBalance) {
     const ScanPoints points = RoomPoints(truth);
     const SE2 end = matcher.Align(grid_, points, start, prior).world_T_robot;
     const Reference sum = NormalEquations(grid_, points, end, options);
-    const Eigen::Vector3d moved(end.x - start.x, end.y - start.y,
-                                backend::WrapAngle(end.theta - start.theta));
+    const Eigen::Vector3d moved = Minus(end, start);
     const Eigen::Vector3d step = (sum.hessian + prior).inverse() * (sum.gradient + prior * moved);
     EXPECT_LT(step.cwiseAbs().maxCoeff(), 1e-4) << trial;
   }
