@@ -30,8 +30,7 @@ inline LinearizedEdge LinearizeEdge(const SE2& world_T_i, const SE2& world_T_j, 
   const double dx = world_T_j.x - world_T_i.x, dy = world_T_j.y - world_T_i.y;
   const double x = c * dx + s * dy, y = -s * dx + c * dy;
   LinearizedEdge edge;
-  edge.error << x - i_T_j.x, y - i_T_j.y,
-      WrapAngle(world_T_j.theta - world_T_i.theta - i_T_j.theta);
+  edge.error = Minus({x, y, world_T_j.theta - world_T_i.theta}, i_T_j);
   edge.jacobian_i << -c, -s, y, s, -c, -x, 0.0, 0.0, -1.0;
   edge.jacobian_j << c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0;
   return edge;

@@ -11,6 +11,21 @@ namespace {
 using backend::Edge;
 using backend::SE2;
 
+// An edge at the poses of its nodes.
+struct EdgeAtPoses {
+  EdgeAtPoses(const SE2& world_T_i, const SE2& world_T_j, const SE2& i_T_j)
+      : displacement(world_T_j.translation() - world_T_i.translation()) {
+    const double c = std::cos(world_T_i.theta), s = std::sin(world_T_i.theta);
+    rotation << c, -s, s, c;
+    const Eigen::Vector2d i_t_j = rotation.transpose() * displacement;
+    error = Minus({i_t_j.x(), i_t_j.y(), world_T_j.theta - world_T_i.theta}, i_T_j);
+  }
+
+  Eigen::Vector2d displacement;  // from node i to node j, in the world frame
+  Eigen::Matrix2d rotation;      // of node i
+  Eigen::Vector3d error;         // backend::EdgeError
+};
+
 // Adds an edge with the error e and the weight w of its loss. With R the rotation of node i and d
 // the displacement t_j - t_i, both in the world frame, the Jacobians of backend::LinearizeEdge are
 //   J_j = [R' 0; 0 1]   and   J_i = -J_j M,   M = [1 0 -d_y; 0 1 d_x; 0 0 1],
@@ -59,19 +74,15 @@ void Linearize(const backend::PoseGraphView& graph, const backend::GraphIndex& i
   for (std::size_t k = 0; k < graph.edges.size(); ++k) {
     const Edge& edge = graph.edges[k];
     const auto [i, j] = index.edges[k];
-    const double c = std::cos(poses[i].theta), s = std::sin(poses[i].theta);
-    const Eigen::Matrix2d rotation = (Eigen::Matrix2d() << c, -s, s, c).finished();
-    const Eigen::Vector2d d = poses[j].translation() - poses[i].translation();
-    Eigen::Vector3d error;
-    error << rotation.transpose() * d - edge.i_T_j.translation(),
-        backend::WrapAngle(poses[j].theta - poses[i].theta - edge.i_T_j.theta);
-    const Eigen::Vector3d weighted_error = edge.information * error;
+    const EdgeAtPoses at(poses[i], poses[j], edge.i_T_j);
+    const Eigen::Vector3d weighted_error = edge.information * at.error;
     const backend::LossValue value =
-        backend::EvaluateLoss(backend::LossOfEdge(edge, loss), error.dot(weighted_error));
+        backend::EvaluateLoss(backend::LossOfEdge(edge, loss), at.error.dot(weighted_error));
     equations->cost += value.rho / 2.0;
     if (i == j) continue;  // no pose changes it
-    AddEdge(edge, weighted_error, value.weight, rotation, d, structure.column_of_node[i],
-            structure.column_of_node[j], structure.slot_of_edge[k], equations);
+    AddEdge(edge, weighted_error, value.weight, at.rotation, at.displacement,
+            structure.column_of_node[i], structure.column_of_node[j], structure.slot_of_edge[k],
+            equations);
   }
 }
 
@@ -83,15 +94,10 @@ void LinearizeForTranslations(const backend::PoseGraphView& graph, const backend
     const Edge& edge = graph.edges[k];
     const auto [i, j] = index.edges[k];
     if (i == j) continue;
-    const double c = std::cos(poses[i].theta), s = std::sin(poses[i].theta);
-    const Eigen::Matrix2d rotation = (Eigen::Matrix2d() << c, -s, s, c).finished();
-    Eigen::Vector3d error;
-    error << rotation.transpose() * (poses[j].translation() - poses[i].translation()) -
-                 edge.i_T_j.translation(),
-        backend::WrapAngle(poses[j].theta - poses[i].theta - edge.i_T_j.theta);
-    AddEdge(edge, edge.information * error, 1.0, rotation, rotation * edge.i_T_j.translation(),
-            structure.column_of_node[i], structure.column_of_node[j], structure.slot_of_edge[k],
-            equations);
+    const EdgeAtPoses at(poses[i], poses[j], edge.i_T_j);
+    AddEdge(edge, edge.information * at.error, 1.0, at.rotation,
+            at.rotation * edge.i_T_j.translation(), structure.column_of_node[i],
+            structure.column_of_node[j], structure.slot_of_edge[k], equations);
   }
 }
 
