@@ -99,8 +99,8 @@ void FinalOptimization::OptimizeAndReview(const backend::PoseGraph& path,
 // of all others. That map is sharper than one of all scans, and made in a tenth of the time.
 void FinalOptimization::RefineScans(const std::vector<bool>& is_drawn,
                                     backend::Trajectory* trajectory) const {
-  const double m = options_.unrefined_sigma_m, rad = options_.unrefined_sigma_rad;
-  const Eigen::Matrix3d prior = Eigen::Array3d(m, m, rad).square().inverse().matrix().asDiagonal();
+  const Eigen::Matrix3d prior =
+      backend::InformationFromSigmas(options_.unrefined_sigma_m, options_.unrefined_sigma_rad);
   map::OccupancyGrid map(run_.grid);
   for (const int position : *run_.node_scans) {
     if (is_drawn[position]) Register(position, *trajectory, &map);
@@ -123,12 +123,12 @@ void FinalOptimization::RefineScans(const std::vector<bool>& is_drawn,
 // Replaces what the edges of the path measure by what the refined scans say.
 void FinalOptimization::UpdateOdometryEdges(const backend::Trajectory& trajectory,
                                             backend::PoseGraph* path) const {
-  const double m = options_.refined_sigma_m, rad = options_.refined_sigma_rad;
   for (backend::Edge& edge : path->edges) {
     if (run_.pieces && run_.pieces->BeginsAt(static_cast<int>(edge.j))) continue;
     const auto pose = [&](std::int64_t node) { return trajectory[RowOfNode(node)].world_T_robot; };
     edge.i_T_j = Between(pose(edge.i), pose(edge.j));
-    edge.information = Eigen::Array3d(m, m, rad).square().inverse().matrix().asDiagonal();
+    edge.information =
+        backend::InformationFromSigmas(options_.refined_sigma_m, options_.refined_sigma_rad);
   }
 }
 

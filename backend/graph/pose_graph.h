@@ -31,6 +31,12 @@ struct Edge {
   EdgeKind kind = EdgeKind::kOdometry;
 };
 
+// Information of a measurement whose x, y and theta are off independently of each other, by these
+// standard deviations.
+inline Eigen::Matrix3d InformationFromSigmas(double sigma_m, double sigma_rad) {
+  return Eigen::Array3d(sigma_m, sigma_m, sigma_rad).square().inverse().matrix().asDiagonal();
+}
+
 // Nodes and edges in the order in which they were added. Ids need not be dense nor sorted. A
 // connected component none of whose nodes is fixed is held by its first node.
 struct PoseGraph {

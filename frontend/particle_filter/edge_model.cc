@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "backend/graph/pose_graph.h"
+
 namespace gmapping_spa::particle_filter {
 
 EdgeModel::EdgeModel(const Options& options)
@@ -40,8 +42,7 @@ Eigen::Matrix3d EdgeModel::WorldInformation(const Step& step, const map::Occupan
     case Information::kConstant:
       break;
   }
-  const double m = options_.constant_sigma_m, rad = options_.constant_sigma_rad;
-  return Eigen::Array3d(m, m, rad).square().inverse().matrix().asDiagonal();
+  return backend::InformationFromSigmas(options_.constant_sigma_m, options_.constant_sigma_rad);
 }
 
 }  // namespace gmapping_spa::particle_filter

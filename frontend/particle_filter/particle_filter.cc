@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "backend/graph/pose_graph.h"
 #include "frontend/particle_filter/parallel_for.h"
 #include "frontend/particle_filter/proposal.h"
 #include "frontend/particle_filter/resampling.h"
@@ -107,8 +108,7 @@ ParticleFilter::Update ParticleFilter::Advance(const sensor::LaserScan& scan,
 void ParticleFilter::BeginPiece(const sensor::LaserScan& scan, const SE2& guess) {
   CHECK(!particles_.empty()) << "Start comes first";
   ++step_;
-  const Eigen::Matrix3d next_to_nothing =
-      Eigen::Array3d(kUnknown_m, kUnknown_m, kUnknown_rad).square().inverse().matrix().asDiagonal();
+  const Eigen::Matrix3d next_to_nothing = backend::InformationFromSigmas(kUnknown_m, kUnknown_rad);
   for (Particle& particle : particles_) {
     particle.world_T_robot = particle.world_T_robot * guess;
     particle.motion = {.previous_T_robot = guess, .information = next_to_nothing};

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "backend/counter_random.h"
+#include "backend/graph/pose_graph.h"
 #include "frontend/map/scan_insertion.h"
 #include "frontend/scan_matching/gauss_newton.h"
 #include "tests/frontend/room_map.h"
@@ -76,8 +77,7 @@ TEST_P(GaussNewtonInCorridor, NoisyRangesLeaveTheWayAlongItToThePrior) {
     for (int trial = 0; trial < 20; ++trial) {
       const SE2 truth = heading * SE2{0.03 * trial, 0.1, 0};
       const SE2 start = truth * SE2{0.1, 0, 0};
-      const Eigen::Matrix3d prior =
-          Eigen::Array3d(0.05, 0.05, 0.02).square().inverse().matrix().asDiagonal();
+      const Eigen::Matrix3d prior = backend::InformationFromSigmas(0.05, 0.02);
       const SE2 aligned = GaussNewton({}, {})
                               .Align(grid, MakeScanPoints(noisy(truth, beams)), start, prior)
                               .world_T_robot;
