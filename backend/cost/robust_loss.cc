@@ -1,13 +1,17 @@
 #include "backend/cost/robust_loss.h"
 
 #include <cmath>
-#include <stdexcept>
+
+#include "backend/enum_names.h"
 
 namespace gmapping_spa::backend {
 namespace {
 
-constexpr LossKind kAllKinds[] = {LossKind::kNone, LossKind::kHuber, LossKind::kCauchy,
-                                  LossKind::kDcs, LossKind::kTruncated};
+constexpr EnumName<LossKind> kNames[] = {{"none", LossKind::kNone},
+                                         {"huber", LossKind::kHuber},
+                                         {"cauchy", LossKind::kCauchy},
+                                         {"dcs", LossKind::kDcs},
+                                         {"truncated", LossKind::kTruncated}};
 
 LossValue EvaluateTruncated(double k2, double mu, double s) {
   if (std::isinf(mu)) return s <= k2 ? LossValue{s, 1.0} : LossValue{k2, 0.0};
@@ -42,29 +46,8 @@ LossValue EvaluateLoss(const Loss& loss, double s) {
   return {s, 1.0};
 }
 
-const char* LossKindName(LossKind kind) {
-  switch (kind) {
-    case LossKind::kNone:
-      return "none";
-    case LossKind::kHuber:
-      return "huber";
-    case LossKind::kCauchy:
-      return "cauchy";
-    case LossKind::kDcs:
-      return "dcs";
-    case LossKind::kTruncated:
-      return "truncated";
-  }
-  return "unknown";
-}
+const char* LossKindName(LossKind kind) { return NameOf(kNames, kind); }
 
-LossKind LossKindFromName(const std::string& name) {
-  std::string names;
-  for (const LossKind kind : kAllKinds) {
-    if (name == LossKindName(kind)) return kind;
-    names += (names.empty() ? "" : ", ") + std::string(LossKindName(kind));
-  }
-  throw std::runtime_error("expected a loss out of " + names + ", got '" + name + "'");
-}
+LossKind LossKindFromName(const std::string& name) { return FromName(kNames, name, "a loss"); }
 
 }  // namespace gmapping_spa::backend

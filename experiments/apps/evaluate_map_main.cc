@@ -90,10 +90,7 @@ struct Alignments {
 };
 
 Alignments AlignmentsFromFlags(const TrajectoryFile& truth) {
-  const auto alignment = OneOf<metrics::Alignment>("align", FLAGS_align,
-                                                   {{"first", metrics::Alignment::kFirst},
-                                                    {"none", metrics::Alignment::kNone},
-                                                    {"se2", metrics::Alignment::kSe2}});
+  const metrics::Alignment alignment = OneOf("align", FLAGS_align, kAlignments);
   if (alignment == metrics::Alignment::kNone) return {};
   if (FLAGS_trajectory.empty()) {
     throw std::runtime_error("--align=" + FLAGS_align + " needs --trajectory=FILE");

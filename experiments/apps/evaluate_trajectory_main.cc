@@ -2,12 +2,11 @@
 #include <gflags/gflags.h>
 
 #include <iostream>
-#include <map>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "experiments/apps/app.h"
+#include "experiments/apps/flag_checks.h"
 #include "experiments/apps/json.h"
 #include "experiments/apps/trajectory_files.h"
 #include "experiments/metrics/trajectory_error.h"
@@ -31,15 +30,10 @@ DEFINE_string(rpe_unit, "frames",
 namespace gmapping_spa::apps {
 namespace {
 
-template <typename T>
-T Choice(const std::string& flag, const std::string& value,
-         const std::map<std::string, T>& values) {
-  const auto found = values.find(value);
-  if (found != values.end()) return found->second;
-  std::string names;
-  for (const auto& [name, unused] : values) names += (names.empty() ? "" : ", ") + name;
-  throw std::runtime_error("--" + flag + ": expected one of " + names + ", found '" + value + "'");
-}
+constexpr backend::EnumName<metrics::StepUnit> kStepUnits[] = {
+    {"frames", metrics::StepUnit::kFrames},
+    {"m", metrics::StepUnit::kMetres},
+    {"s", metrics::StepUnit::kSeconds}};
 
 Json ErrorsToJson(const metrics::PoseErrorSummary& summary) {
   return {{"pairs", summary.pairs},
@@ -51,14 +45,8 @@ void Run() {
   if (FLAGS_truth.empty()) throw std::runtime_error("--truth=FILE is missing");
   if (FLAGS_trajectory.empty()) throw std::runtime_error("--trajectory=FILE is missing");
   if (!(FLAGS_max_gap_s >= 0.0)) throw std::runtime_error("--max_gap_s must not be negative");
-  const auto alignment = Choice<metrics::Alignment>("align", FLAGS_align,
-                                                    {{"none", metrics::Alignment::kNone},
-                                                     {"first", metrics::Alignment::kFirst},
-                                                     {"se2", metrics::Alignment::kSe2}});
-  const auto unit = Choice<metrics::StepUnit>("rpe_unit", FLAGS_rpe_unit,
-                                              {{"frames", metrics::StepUnit::kFrames},
-                                               {"m", metrics::StepUnit::kMetres},
-                                               {"s", metrics::StepUnit::kSeconds}});
+  const metrics::Alignment alignment = OneOf("align", FLAGS_align, kAlignments);
+  const metrics::StepUnit unit = OneOf("rpe_unit", FLAGS_rpe_unit, kStepUnits);
   const TrajectoryFile truth = ReadTrajectoryFile(FLAGS_truth);
   const TrajectoryFile trajectory = ReadTrajectoryFile(FLAGS_trajectory);
   const auto pairs = AssociateFiles(truth, trajectory, FLAGS_max_gap_s);

@@ -2,13 +2,14 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_CHECKS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_CHECKS_H_
 
-#include <algorithm>
 #include <charconv>
+#include <cstddef>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <utility>
-#include <vector>
+
+#include "backend/enum_names.h"
 
 namespace gmapping_spa::apps {
 
@@ -23,28 +24,14 @@ T InRange(const char* flag, T value, T min, T max) {
   throw std::runtime_error(message.str());
 }
 
-// The values of a flag: names and what they stand for.
-template <typename T>
-using Choices = std::vector<std::pair<std::string, T>>;
-
-// The name of a value that is among the choices.
-template <typename T>
-const char* NameOf(const Choices<T>& choices, T value) {
-  const auto is_it = [&](const auto& choice) { return choice.second == value; };
-  return std::find_if(choices.begin(), choices.end(), is_it)->first.c_str();
-}
-
 // Returns what the name `value` stands for; throws std::runtime_error with one line that lists the
 // names when it is none of them.
-template <typename T>
-T OneOf(const char* flag, const std::string& value, const Choices<T>& choices) {
-  std::string names;
-  for (const auto& [name, meaning] : choices) {
-    if (value == name) return meaning;
-    names += names.empty() ? name : ", " + name;
-  }
-  throw std::runtime_error(std::string("--") + flag + ": expected one of " + names + ", found '" +
-                           value + "'");
+template <typename Enum, std::size_t kCount>
+Enum OneOf(const char* flag, const std::string& value,
+           const backend::EnumName<Enum> (&names)[kCount]) {
+  if (const std::optional<Enum> found = ValueOf(names, value)) return *found;
+  throw std::runtime_error(std::string("--") + flag + ": expected one of " + ListOf(names) +
+                           ", found '" + value + "'");
 }
 
 // The number that a flag's text holds; throws std::runtime_error with one line if it is none.

@@ -7,22 +7,21 @@
 namespace {
 
 using gmapping_spa::SlamOptions;
-using gmapping_spa::apps::Choices;
-using gmapping_spa::apps::NameOf;
+using gmapping_spa::backend::EnumName;
 
 const SlamOptions kSlam;
-const Choices<SlamOptions::EdgeMeasurement> kEdgeMeasurement = {
+constexpr EnumName<SlamOptions::EdgeMeasurement> kEdgeMeasurement[] = {
     {"lidar_odometry", SlamOptions::EdgeMeasurement::kLidarOdometry},
     {"particle", SlamOptions::EdgeMeasurement::kParticle}};
-const Choices<SlamOptions::EdgeInformation> kEdgeInformation = {
+constexpr EnumName<SlamOptions::EdgeInformation> kEdgeInformation[] = {
     {"proposal", SlamOptions::EdgeInformation::kProposal},
     {"hessian", SlamOptions::EdgeInformation::kHessian},
     {"constant", SlamOptions::EdgeInformation::kConstant}};
-const Choices<SlamOptions::GraphThread> kGraphThread = {
+constexpr EnumName<SlamOptions::GraphThread> kGraphThread[] = {
     {"lockstep", SlamOptions::GraphThread::kLockstep},
     {"async", SlamOptions::GraphThread::kAsync},
     {"inline", SlamOptions::GraphThread::kInline}};
-const Choices<SlamOptions::Correction> kCorrection = {
+constexpr EnumName<SlamOptions::Correction> kCorrection[] = {
     {"pose", SlamOptions::Correction::kPose}, {"trajectory", SlamOptions::Correction::kTrajectory}};
 
 }  // namespace

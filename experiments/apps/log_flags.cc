@@ -10,8 +10,14 @@
 #include "experiments/apps/flag_checks.h"
 
 namespace {
+
+using gmapping_spa::sensor::BadRecordPolicy;
+
 const gmapping_spa::sensor::LogOptions kDefaults;
-}
+constexpr gmapping_spa::backend::EnumName<BadRecordPolicy> kBadRecord[] = {
+    {"skip", BadRecordPolicy::kSkip}, {"fail", BadRecordPolicy::kFail}};
+
+}  // namespace
 
 DEFINE_double(usable_range_m, kDefaults.usable_range_m,
               "Usable range of the laser in m, from 0.01 to 1000: a range this long or longer "
@@ -36,7 +42,7 @@ DEFINE_double(reorder_window_s, kDefaults.reorder_window_s,
 DEFINE_double(
     gap_s, kDefaults.gap_s,
     "Time in s, above 0, between two scans above which it is counted and reported as a gap.");
-DEFINE_string(bad_record, "skip",
+DEFINE_string(bad_record, NameOf(kBadRecord, kDefaults.bad_record),
               "What to do about records of the log that cannot be used: skip (and count them) or "
               "fail (at the first one, with its line number).");
 
@@ -78,11 +84,7 @@ sensor::LogOptions LogOptionsFromFlags() {
   options.flipped = FLAGS_laser_flipped;
   options.reorder_window_s = InRange("reorder_window_s", FLAGS_reorder_window_s, 0.0, 1e6);
   options.gap_s = InRange("gap_s", FLAGS_gap_s, 1e-6, 1e12);
-  if (FLAGS_bad_record != "skip" && FLAGS_bad_record != "fail") {
-    throw std::runtime_error("--bad_record=" + FLAGS_bad_record + ": expected skip or fail");
-  }
-  options.bad_record =
-      FLAGS_bad_record == "fail" ? sensor::BadRecordPolicy::kFail : sensor::BadRecordPolicy::kSkip;
+  options.bad_record = OneOf("bad_record", FLAGS_bad_record, kBadRecord);
   return options;
 }
 

@@ -191,6 +191,8 @@ simulation::LidarOptions LidarOptionsFromFlags() {
 }
 
 enum class Wheels { kNoisy, kExact, kSilent };
+constexpr backend::EnumName<Wheels> kWheels[] = {
+    {"noisy", Wheels::kNoisy}, {"exact", Wheels::kExact}, {"silent", Wheels::kSilent}};
 
 simulation::SimulationOptions OptionsFromFlags(std::uint64_t seed) {
   simulation::SimulationOptions options;
@@ -220,9 +222,7 @@ simulation::SimulationOptions OptionsFromFlags(std::uint64_t seed) {
   odometry.wheel_scale_deviation = InRange("wheel_scale_bias", FLAGS_wheel_scale_bias, 0.0, 0.1);
   odometry.wheel_ratio_deviation = InRange("wheel_ratio_bias", FLAGS_wheel_ratio_bias, 0.0, 0.1);
   odometry.wheel_base_factor = InRange("wheel_base_factor", FLAGS_wheel_base_factor, 0.5, 2.0);
-  const Wheels wheels = OneOf<Wheels>(
-      "wheels", FLAGS_wheels,
-      {{"noisy", Wheels::kNoisy}, {"exact", Wheels::kExact}, {"silent", Wheels::kSilent}});
+  const Wheels wheels = OneOf("wheels", FLAGS_wheels, kWheels);
   odometry.silent = wheels == Wheels::kSilent;
   if (wheels != Wheels::kNoisy) {
     odometry.noise = odometry.interference = odometry.slips_per_m = odometry.bumps_per_m = 0.0;

@@ -12,26 +12,25 @@
 namespace {
 
 using gmapping_spa::SlamOptions;
-using gmapping_spa::apps::Choices;
-using gmapping_spa::apps::NameOf;
+using gmapping_spa::backend::EnumName;
 
 const SlamOptions kSlam;
-const Choices<SlamOptions::Odometry> kOdometry = {
+constexpr EnumName<SlamOptions::Odometry> kOdometry[] = {
     {"raw", SlamOptions::Odometry::kRaw},
     {"wheel", SlamOptions::Odometry::kWheel},
     {"lidar", SlamOptions::Odometry::kLidar},
     {"lidar_only", SlamOptions::Odometry::kLidarOnly}};
-const Choices<SlamOptions::ScanMatcher> kScanMatcher = {
+constexpr EnumName<SlamOptions::ScanMatcher> kScanMatcher[] = {
     {"hill_climbing", SlamOptions::ScanMatcher::kHillClimbing},
     {"gauss_newton", SlamOptions::ScanMatcher::kGaussNewton}};
-const Choices<SlamOptions::MatchStart> kMatchStart = {
+constexpr EnumName<SlamOptions::MatchStart> kMatchStart[] = {
     {"prediction", SlamOptions::MatchStart::kPrediction}, {"draw", SlamOptions::MatchStart::kDraw}};
-const Choices<SlamOptions::Proposal> kProposal = {{"gaussian", SlamOptions::Proposal::kGaussian},
-                                                  {"match", SlamOptions::Proposal::kMatch}};
-const Choices<SlamOptions::Likelihood> kLikelihood = {
+constexpr EnumName<SlamOptions::Proposal> kProposal[] = {
+    {"gaussian", SlamOptions::Proposal::kGaussian}, {"match", SlamOptions::Proposal::kMatch}};
+constexpr EnumName<SlamOptions::Likelihood> kLikelihood[] = {
     {"surface", SlamOptions::Likelihood::kSurface},
     {"nearest_hit", SlamOptions::Likelihood::kNearestHit}};
-const Choices<SlamOptions::MotionNoise> kMotionNoise = {
+constexpr EnumName<SlamOptions::MotionNoise> kMotionNoise[] = {
     {"update", SlamOptions::MotionNoise::kUpdate}, {"scan", SlamOptions::MotionNoise::kScan}};
 
 }  // namespace

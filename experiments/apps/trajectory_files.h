@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "backend/enum_names.h"
 #include "backend/graph/trajectory_io.h"
 #include "experiments/metrics/association.h"
+#include "experiments/metrics/trajectory_error.h"
 
 namespace gmapping_spa::apps {
 
@@ -14,6 +16,12 @@ struct TrajectoryFile {
   std::string path;
   backend::Trajectory poses;
 };
+
+// What --align of the programs that compare trajectories stands for.
+inline constexpr backend::EnumName<metrics::Alignment> kAlignments[] = {
+    {"first", metrics::Alignment::kFirst},
+    {"none", metrics::Alignment::kNone},
+    {"se2", metrics::Alignment::kSe2}};
 
 // Reads a file of the TUM format, plain or gzipped. Throws std::runtime_error with one line when it
 // cannot be read or holds no poses.

@@ -1,43 +1,23 @@
 #include "frontend/loop_closure/closure_record.h"
 
+#include "backend/enum_names.h"
+
 namespace gmapping_spa::loop_closure {
+namespace {
 
-const char* VerdictName(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kNoMatch:
-      return "no_match";
-    case Verdict::kAmbiguous:
-      return "ambiguous";
-    case Verdict::kUnstable:
-      return "unstable";
-    case Verdict::kOverlap:
-      return "overlap";
-    case Verdict::kInlierRatio:
-      return "inlier_ratio";
-    case Verdict::kSeenThrough:
-      return "seen_through";
-    case Verdict::kMahalanobis:
-      return "mahalanobis";
-    case Verdict::kUnconfirmed:
-      return "unconfirmed";
-    case Verdict::kReleased:
-      return "released";
-    case Verdict::kAccepted:
-      return "accepted";
-  }
-  return "unknown";
-}
+constexpr backend::EnumName<Verdict> kVerdicts[] = {
+    {"no_match", Verdict::kNoMatch},         {"ambiguous", Verdict::kAmbiguous},
+    {"unstable", Verdict::kUnstable},        {"overlap", Verdict::kOverlap},
+    {"inlier_ratio", Verdict::kInlierRatio}, {"seen_through", Verdict::kSeenThrough},
+    {"mahalanobis", Verdict::kMahalanobis},  {"unconfirmed", Verdict::kUnconfirmed},
+    {"released", Verdict::kReleased},        {"accepted", Verdict::kAccepted}};
+constexpr backend::EnumName<Source> kSources[] = {
+    {"near", Source::kNear}, {"place", Source::kPlace}, {"followed", Source::kFollowed}};
 
-const char* SourceName(Source source) {
-  switch (source) {
-    case Source::kNear:
-      return "near";
-    case Source::kPlace:
-      return "place";
-    case Source::kFollowed:
-      return "followed";
-  }
-  return "unknown";
-}
+}  // namespace
+
+const char* VerdictName(Verdict verdict) { return NameOf(kVerdicts, verdict); }
+
+const char* SourceName(Source source) { return NameOf(kSources, source); }
 
 }  // namespace gmapping_spa::loop_closure

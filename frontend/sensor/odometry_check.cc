@@ -5,10 +5,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "backend/enum_names.h"
+
 namespace gmapping_spa::sensor {
 namespace {
 
 using backend::SE2;
+
+constexpr backend::EnumName<OdometryFault> kFaults[] = {
+    {"none", OdometryFault::kNone},
+    {"first", OdometryFault::kFirst},
+    {"impossible", OdometryFault::kImpossible},
+    {"restart", OdometryFault::kRestart},
+    {"unchanged", OdometryFault::kUnchanged},
+    {"repeated_scan", OdometryFault::kRepeatedScan},
+    {"missing", OdometryFault::kMissing}};
 
 // Loggers give stamps milliseconds apart to scans that were waiting.
 constexpr double kShortestPeriodS = 0.1;
@@ -52,25 +63,7 @@ bool IsRepeated(const std::vector<Beam>& before, const std::vector<Beam>& beams)
 
 }  // namespace
 
-const char* OdometryFaultName(OdometryFault fault) {
-  switch (fault) {
-    case OdometryFault::kNone:
-      return "none";
-    case OdometryFault::kFirst:
-      return "first";
-    case OdometryFault::kImpossible:
-      return "impossible";
-    case OdometryFault::kRestart:
-      return "restart";
-    case OdometryFault::kUnchanged:
-      return "unchanged";
-    case OdometryFault::kRepeatedScan:
-      return "repeated_scan";
-    case OdometryFault::kMissing:
-      return "missing";
-  }
-  return "unknown";
-}
+const char* OdometryFaultName(OdometryFault fault) { return NameOf(kFaults, fault); }
 
 OdometryCheck::OdometryCheck(const Options& options)
     : options_(options),
