@@ -3,19 +3,15 @@
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
+
+#include "backend/text.h"
 
 namespace gmapping_spa::frontend {
 namespace {
 
 constexpr double kMaxGapWithinStretchS = 2.0;
 
-std::string Seconds(double time_s) {
-  std::ostringstream out;
-  out << std::fixed << std::setprecision(3) << time_s << " s";
-  return out.str();
-}
+std::string Seconds(double time_s) { return backend::FixedText(time_s, 3) + " s"; }
 
 }  // namespace
 

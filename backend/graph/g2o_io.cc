@@ -3,8 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <stdexcept>
@@ -13,22 +11,11 @@
 #include <vector>
 
 #include "backend/graph/graph_index.h"
-#include "backend/graph/text_line.h"
 #include "backend/initialization/initial_guess.h"
+#include "backend/text.h"
 
 namespace gmapping_spa::backend {
 namespace {
-
-// A finite number, or nothing when `word` is not one.
-template <typename Number>
-std::optional<Number> ParseNumber(std::string_view word) {
-  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-  Number number{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  if (!std::isfinite(static_cast<double>(number))) return std::nullopt;
-  return number;
-}
 
 // Splits a line into its words.
 class Words {
@@ -40,7 +27,7 @@ class Words {
 
   template <typename Number>
   std::optional<Number> NextNumber() {
-    return ParseNumber<Number>(Next());
+    return ParseFinite<Number>(Next());
   }
 
   bool AtEnd() { return Next().empty(); }
@@ -167,7 +154,7 @@ class G2oReader {
   void ReadFix(Words& words) {
     std::string_view word = words.Next();
     do {
-      const auto id = ParseNumber<std::int64_t>(word);
+      const auto id = ParseFinite<std::int64_t>(word);
       if (!id) Fail("expected FIX with integer ids");
       mentions_.push_back({*id, line_});
       fixed_.push_back(*id);
@@ -218,13 +205,7 @@ class G2oReader {
   std::vector<std::int64_t> fixed_;
 };
 
-// Writes a space and the shortest text that reads back as the same number, in any locale.
-template <typename Number>
-void WriteNumber(Number number, std::ostream& out) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof(text), number).ptr;
-  out << ' ' << std::string_view(text, end - text);
-}
+void WriteNumber(double number, std::ostream& out) { out << ' ' << ShortestText(number); }
 
 void WritePose(const SE2& pose, std::ostream& out) {
   for (const double number : {pose.x, pose.y, pose.theta}) WriteNumber(number, out);
@@ -240,21 +221,15 @@ PoseGraph ReadG2o(std::istream& in, const std::string& name) {
 
 void WriteG2o(const PoseGraph& graph, std::ostream& out) {
   for (const Node& node : graph.nodes) {
-    out << "VERTEX_SE2";
-    WriteNumber(node.id, out);
+    out << "VERTEX_SE2 " << std::to_string(node.id);
     WritePose(node.world_T_node, out);
     out << '\n';
   }
   for (const Node& node : graph.nodes) {
-    if (!node.fixed) continue;
-    out << "FIX";
-    WriteNumber(node.id, out);
-    out << '\n';
+    if (node.fixed) out << "FIX " << std::to_string(node.id) << '\n';
   }
   for (const Edge& edge : graph.edges) {
-    out << "EDGE_SE2";
-    WriteNumber(edge.i, out);
-    WriteNumber(edge.j, out);
+    out << "EDGE_SE2 " << std::to_string(edge.i) << ' ' << std::to_string(edge.j);
     WritePose(edge.i_T_j, out);
     for (int row = 0; row < 3; ++row) {
       for (int column = row; column < 3; ++column) WriteNumber(edge.information(row, column), out);

@@ -1,53 +1,36 @@
 #include "backend/graph/number_rows.h"
 
-#include <charconv>
-#include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
-#include "backend/graph/text_line.h"
+#include "backend/text.h"
 
 namespace gmapping_spa::backend {
-namespace {
-
-std::vector<std::string_view> Words(std::string_view line) {
-  std::vector<std::string_view> words;
-  for (std::string_view word = TakeWord(&line); !word.empty(); word = TakeWord(&line)) {
-    words.push_back(word);
-  }
-  return words;
-}
-
-}  // namespace
 
 NumberRows::NumberRows(std::istream& in, std::string name, std::string columns)
     : in_(in),
       name_(std::move(name)),
       columns_(std::move(columns)),
-      column_count_(Words(columns_).size()) {}
+      column_count_(WordsOf(columns_).size()) {}
 
 bool NumberRows::Next() {
   std::string line;
   while (std::getline(in_, line)) {
     ++line_;
     const std::string_view text = line_ == 1 ? WithoutByteOrderMark(line) : line;
-    const std::vector<std::string_view> words = Words(WithoutComment(text));
+    const std::vector<std::string_view> words = WordsOf(WithoutComment(text));
     if (words.empty()) continue;
     if (words.size() != column_count_) {
       Fail(std::to_string(column_count_) + " columns (" + columns_ + ")",
            std::to_string(words.size()));
     }
     row_.clear();
-    for (std::string_view word : words) {
-      const std::string_view digits = word.substr(word.starts_with('+') ? 1 : 0);
-      double value = 0.0;
-      const auto [end, error] = std::from_chars(digits.begin(), digits.end(), value);
-      if (error != std::errc() || end != digits.end() || !std::isfinite(value)) {
-        Fail("a finite number", Quoted(word));
-      }
-      row_.push_back(value);
+    for (const std::string_view word : words) {
+      const std::optional<double> value = ParseFinite<double>(word);
+      if (!value) Fail("a finite number", Quoted(word));
+      row_.push_back(*value);
     }
     return true;
   }

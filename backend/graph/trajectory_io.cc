@@ -1,12 +1,10 @@
 #include "backend/graph/trajectory_io.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
-#include <string_view>
 
 #include "backend/graph/number_rows.h"
+#include "backend/text.h"
 
 namespace gmapping_spa::backend {
 namespace {
@@ -51,22 +49,6 @@ PlanarQuaternion FromYaw(double theta) {
   return nearest;
 }
 
-// The shortest text that reads back as the same value. Unlike stream output it is the same in every
-// locale.
-void WriteShortest(double value, std::ostream& out) {
-  std::array<char, 32> text;
-  const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
-  out << std::string_view(text.data(), result.ptr);
-}
-
-// The same without an exponent, which readers of time stamps often do not expect.
-void WriteShortestFixed(double value, std::ostream& out) {
-  std::array<char, 400> text;  // 1e308 and 1e-308 have some 310 and 330 characters
-  const auto result =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
-  out << std::string_view(text.data(), result.ptr);
-}
-
 }  // namespace
 
 Trajectory ReadTum(std::istream& in, const std::string& name) {
@@ -91,16 +73,9 @@ void WriteTum(const Trajectory& trajectory, std::ostream& out) {
       throw std::invalid_argument("WriteTum: a trajectory must be finite");
     }
     const PlanarQuaternion q = FromYaw(WrapAngle(world_T_robot.theta));
-    WriteShortestFixed(stamp_s, out);
-    out << ' ';
-    WriteShortest(world_T_robot.x, out);
-    out << ' ';
-    WriteShortest(world_T_robot.y, out);
-    out << " 0 0 0 ";
-    WriteShortest(q.qz, out);
-    out << ' ';
-    WriteShortest(q.qw, out);
-    out << '\n';
+    out << ShortestFixedText(stamp_s) << ' ' << ShortestText(world_T_robot.x) << ' '
+        << ShortestText(world_T_robot.y) << " 0 0 0 " << ShortestText(q.qz) << ' '
+        << ShortestText(q.qw) << '\n';
   }
 }
 

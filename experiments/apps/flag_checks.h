@@ -2,14 +2,16 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_CHECKS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_CHECKS_H_
 
-#include <charconv>
 #include <cstddef>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "backend/enum_names.h"
+#include "backend/text.h"
 
 namespace gmapping_spa::apps {
 
@@ -34,15 +36,33 @@ Enum OneOf(const char* flag, const std::string& value,
                            ", found '" + value + "'");
 }
 
-// The number that a flag's text holds; throws std::runtime_error with one line if it is none.
+// Throws std::runtime_error "--<flag>=<text>: <message>".
+[[noreturn]] inline void FailFlag(const char* flag, const std::string& text,
+                                  const std::string& message) {
+  throw std::runtime_error(std::string("--") + flag + "=" + text + ": " + message);
+}
+
+// The finite number that a flag's text holds; throws std::runtime_error with one line if it is
+// none.
 inline double Number(const char* flag, const std::string& text) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw std::runtime_error(std::string("--") + flag + ": expected a number, found '" + text +
-                             "'");
+  const std::optional<double> value = backend::ParseFinite<double>(text);
+  if (!value) FailFlag(flag, text, "expected a number");
+  return *value;
+}
+
+// Likewise of finite numbers between commas, with blanks around them or not.
+inline std::vector<double> Numbers(const char* flag, const std::string& text) {
+  std::vector<double> numbers;
+  std::istringstream in(text);
+  for (std::string item; std::getline(in, item, ',');) {
+    std::string_view rest = item;
+    const std::optional<double> value = backend::ParseFinite<double>(backend::TakeWord(&rest));
+    if (!value || !backend::TakeWord(&rest).empty()) {
+      FailFlag(flag, text, "expected a number, found '" + item + "'");
+    }
+    numbers.push_back(*value);
   }
-  return value;
+  return numbers;
 }
 
 }  // namespace gmapping_spa::apps

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <numbers>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "backend/text.h"
 #include "experiments/apps/health_record.h"
 
 namespace gmapping_spa::apps {
@@ -94,10 +93,8 @@ std::vector<std::string> Advice(const LogSummary& summary, const sensor::LogCoun
   const auto faults = [&](const char* kind, const std::string& what) {
     const auto found = summary.faults.find(kind);
     if (found == summary.faults.end()) return;
-    std::ostringstream line;
-    line << found->second.count << ' ' << what << ", the first at " << std::fixed
-         << std::setprecision(3) << found->second.first_stamp_s << " s";
-    advice.push_back(line.str());
+    advice.push_back(std::to_string(found->second.count) + " " + what + ", the first at " +
+                     backend::FixedText(found->second.first_stamp_s, 3) + " s");
   };
   faults("impossible", "steps of the odometry are faster than a robot");
   faults("restart", "times the odometry starts again");

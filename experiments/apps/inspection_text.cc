@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <iomanip>
-#include <sstream>
+
+#include "backend/text.h"
 
 namespace gmapping_spa::apps {
 namespace {
 
 std::string Fixed(const Json& number, int decimals) {
-  std::ostringstream out;
-  out << std::fixed << std::setprecision(decimals) << number.get<double>();
-  return out.str();
+  return backend::FixedText(number.get<double>(), decimals);
 }
 
 std::string Percent(const Json& share) { return Fixed(100.0 * share.get<double>(), 1) + " %"; }

@@ -3,9 +3,10 @@
 #include <gflags/gflags.h>
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
-#include <stdexcept>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "experiments/apps/flag_checks.h"
 
@@ -51,14 +52,23 @@ namespace {
 
 constexpr double kMaxOffsetM = 100.0;  // of a laser from the middle of its robot
 
-std::optional<double> OptionalRadians(const std::string& flag, const std::string& degrees) {
-  if (degrees.empty()) return std::nullopt;
-  double value = 0.0;
-  char rest = 0;
-  if (std::sscanf(degrees.c_str(), "%lf%c", &value, &rest) != 1 || !(std::abs(value) <= 360.0)) {
-    throw std::runtime_error("--" + flag + "=" + degrees + ": expected degrees, at most one turn");
+std::optional<double> OptionalRadians(const char* flag, const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const std::optional<double> degrees = backend::ParseFinite<double>(text);
+  if (!degrees || std::abs(*degrees) > 360.0) {
+    FailFlag(flag, text, "expected degrees, at most one turn");
   }
-  return value * std::numbers::pi / 180.0;
+  return *degrees * std::numbers::pi / 180.0;
+}
+
+std::optional<backend::SE2> OptionalLaserPose() {
+  if (FLAGS_laser_pose.empty()) return std::nullopt;
+  const std::vector<double> pose = Numbers("laser_pose", FLAGS_laser_pose);
+  if (pose.size() != 3 || std::abs(pose[0]) > kMaxOffsetM || std::abs(pose[1]) > kMaxOffsetM ||
+      std::abs(pose[2]) > 2.0 * std::numbers::pi) {
+    FailFlag("laser_pose", FLAGS_laser_pose, "expected x,y,theta within 100 m and one turn");
+  }
+  return backend::SE2{pose[0], pose[1], pose[2]};
 }
 
 }  // namespace
@@ -69,18 +79,7 @@ sensor::LogOptions LogOptionsFromFlags() {
   options.range_min_m = InRange("range_min_m", FLAGS_range_min_m, 0.0, options.usable_range_m);
   options.fov_rad = OptionalRadians("fov_deg", FLAGS_fov_deg);
   options.angle_min_rad = OptionalRadians("angle_min_deg", FLAGS_angle_min_deg);
-  if (!FLAGS_laser_pose.empty()) {
-    backend::SE2 pose;
-    char rest = 0;
-    if (std::sscanf(FLAGS_laser_pose.c_str(), "%lf,%lf,%lf%c", &pose.x, &pose.y, &pose.theta,
-                    &rest) != 3 ||
-        !(std::abs(pose.x) <= kMaxOffsetM && std::abs(pose.y) <= kMaxOffsetM &&
-          std::abs(pose.theta) <= 2.0 * std::numbers::pi)) {
-      throw std::runtime_error("--laser_pose=" + FLAGS_laser_pose +
-                               ": expected x,y,theta within 100 m and one turn");
-    }
-    options.robot_T_laser = pose;
-  }
+  options.robot_T_laser = OptionalLaserPose();
   options.flipped = FLAGS_laser_flipped;
   options.reorder_window_s = InRange("reorder_window_s", FLAGS_reorder_window_s, 0.0, 1e6);
   options.gap_s = InRange("gap_s", FLAGS_gap_s, 1e-6, 1e12);

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -126,26 +124,6 @@ namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180.0;
 
-[[noreturn]] void FailFlag(const std::string& flag, const std::string& text,
-                           const std::string& message) {
-  throw std::runtime_error("--" + flag + "=" + text + ": " + message);
-}
-
-// Comma-separated finite numbers.
-std::vector<double> Numbers(const std::string& flag, const std::string& text) {
-  std::vector<double> numbers;
-  std::istringstream in(text);
-  for (std::string item; std::getline(in, item, ',');) {
-    double value = 0.0;
-    char rest = 0;
-    if (std::sscanf(item.c_str(), "%lf%c", &value, &rest) != 1 || !std::isfinite(value)) {
-      FailFlag(flag, text, "expected a number, found '" + item + "'");
-    }
-    numbers.push_back(value);
-  }
-  return numbers;
-}
-
 backend::SE2 LaserMount() {
   const std::vector<double> pose = Numbers("laser_mount", FLAGS_laser_mount);
   if (pose.size() != 3 || !(std::hypot(pose[0], pose[1]) <= 100.0 && std::abs(pose[2]) <= 360.0)) {
@@ -154,7 +132,7 @@ backend::SE2 LaserMount() {
   return {pose[0], pose[1], backend::WrapAngle(pose[2] * kRadPerDeg)};
 }
 
-std::vector<simulation::TimeSpan> TimeSpans(const std::string& flag, const std::string& text) {
+std::vector<simulation::TimeSpan> TimeSpans(const char* flag, const std::string& text) {
   const std::vector<double> times_s = Numbers(flag, text);
   std::vector<simulation::TimeSpan> spans;
   for (std::size_t i = 0; i + 1 < times_s.size(); i += 2) {

@@ -1,10 +1,10 @@
 #include "experiments/apps/trajectory_files.h"
 
 #include <algorithm>
-#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
+#include "backend/text.h"
 #include "experiments/apps/input_file.h"
 
 namespace gmapping_spa::apps {
@@ -13,10 +13,8 @@ namespace {
 std::string StampsOf(const TrajectoryFile& file) {
   const auto by_stamp = [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; };
   const auto [first, last] = std::minmax_element(file.poses.begin(), file.poses.end(), by_stamp);
-  std::ostringstream out;
-  out << std::fixed << std::setprecision(3) << file.path << " has stamps from " << first->stamp_s
-      << " to " << last->stamp_s;
-  return out.str();
+  return file.path + " has stamps from " + backend::FixedText(first->stamp_s, 3) + " to " +
+         backend::FixedText(last->stamp_s, 3);
 }
 
 }  // namespace

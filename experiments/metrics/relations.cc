@@ -1,16 +1,17 @@
 #include "experiments/metrics/relations.h"
 
-#include <iomanip>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 
 #include "backend/graph/number_rows.h"
+#include "backend/text.h"
 #include "experiments/metrics/angles.h"
 #include "experiments/metrics/association.h"
 
 namespace gmapping_spa::metrics {
 
+using backend::FixedText;
 using backend::SE2;
 
 std::vector<Relation> ReadRelations(std::istream& in, const std::string& name) {
@@ -42,10 +43,10 @@ RelationsSummary EvaluateRelations(const std::vector<Relation>& relations,
             << options.max_gap_s << " s of one of the " << trajectory.size()
             << " stamps of the trajectory";
     if (!relations.empty() && !sorted.empty()) {
-      message << std::fixed << std::setprecision(3) << ": the first relation is from "
-              << relations.front().stamp_i_s << " to " << relations.front().stamp_j_s
-              << ", the trajectory from " << sorted.front().stamp_s << " to "
-              << sorted.back().stamp_s << " (expected seconds of one clock)";
+      message << ": the first relation is from " << FixedText(relations.front().stamp_i_s, 3)
+              << " to " << FixedText(relations.front().stamp_j_s, 3) << ", the trajectory from "
+              << FixedText(sorted.front().stamp_s, 3) << " to "
+              << FixedText(sorted.back().stamp_s, 3) << " (expected seconds of one clock)";
     }
     throw std::runtime_error(message.str());
   }

@@ -1,10 +1,10 @@
 #include "experiments/simulation/carmen_writer.h"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <string>
+
+#include "backend/text.h"
 
 namespace gmapping_spa::simulation {
 namespace {
@@ -26,11 +26,11 @@ class Line {
     static_assert(kDigits == 3 || kDigits == 6);
     const std::int64_t all = std::llround(std::abs(value) * kPerUnit);
     text_ += std::signbit(value) ? " -" : " ";
-    Append(all / kPerUnit);
+    text_ += std::to_string(all / kPerUnit);
     text_ += '.';
-    const std::string::size_type begin = text_.size();
-    Append(all % kPerUnit);
-    text_.insert(begin, kDigits - (text_.size() - begin), '0');
+    const std::string fraction = std::to_string(all % kPerUnit);
+    text_.append(kDigits - fraction.size(), '0');
+    text_ += fraction;
     return *this;
   }
 
@@ -45,7 +45,7 @@ class Line {
   // With as many digits as it takes to read the same number again.
   Line& Exact(double value) {
     text_ += ' ';
-    Append(value);
+    text_ += backend::ShortestText(value);
     return *this;
   }
 
@@ -55,13 +55,6 @@ class Line {
   }
 
  private:
-  template <typename Number>
-  void Append(Number value) {
-    std::array<char, 32> digits;
-    text_.append(digits.data(),
-                 std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr);
-  }
-
   std::string text_;
 };
 

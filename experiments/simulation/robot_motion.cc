@@ -1,13 +1,13 @@
 #include "experiments/simulation/robot_motion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+
+#include "backend/text.h"
 
 namespace gmapping_spa::simulation {
 namespace {
@@ -25,12 +25,10 @@ double TimeLimit(const WayPoints& way_points, const WayPointFollowerOptions& opt
 }
 
 [[noreturn]] void FailToArrive(const backend::SE2& world_T_robot, double limit_s) {
-  std::array<char, 160> text;
-  std::snprintf(text.data(), text.size(),
-                "tour: expected to reach every way point, found the robot at (%.2f, %.2f) after "
-                "%.0f s",
-                world_T_robot.x, world_T_robot.y, limit_s);
-  throw std::runtime_error(text.data());
+  using backend::FixedText;
+  throw std::runtime_error("tour: expected to reach every way point, found the robot at (" +
+                           FixedText(world_T_robot.x, 2) + ", " + FixedText(world_T_robot.y, 2) +
+                           ") after " + FixedText(limit_s, 0) + " s");
 }
 
 }  // namespace

@@ -1,14 +1,13 @@
 #include "experiments/simulation/simulation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "backend/text.h"
 #include "experiments/simulation/crowd.h"
 #include "experiments/simulation/robot_motion.h"
 
@@ -19,9 +18,7 @@ namespace {
 constexpr std::size_t kStepsPerScan = 2;
 
 std::string Describe(const Eigen::Vector2d& point) {
-  std::array<char, 64> text;
-  std::snprintf(text.data(), text.size(), "(%.2f, %.2f)", point.x(), point.y());
-  return text.data();
+  return "(" + backend::FixedText(point.x(), 2) + ", " + backend::FixedText(point.y(), 2) + ")";
 }
 
 void CheckFree(const Scene& scene, const backend::SE2& world_T_robot, double radius_m,

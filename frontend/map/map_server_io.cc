@@ -1,8 +1,6 @@
 #include "frontend/map/map_server_io.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -12,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "backend/text.h"
 #include "frontend/map/yaml_file.h"
 
 #define STB_IMAGE_IMPLEMENTATION
@@ -22,18 +21,15 @@
 #include <stb/stb_image.h>
 
 namespace gmapping_spa::map {
+
+using backend::ShortestText;
+
 namespace {
 
 // Farther off, coordinates of cells lose their fractions.
 constexpr double kFarthestOrigin_m = 1e6;
 
 constexpr std::uint8_t kFreePixel = 254, kOccupiedPixel = 0, kUnknownPixel = 205;
-
-// Shortest text that reads back as the same value, whatever the stream's settings.
-std::string Exactly(double value) {
-  std::array<char, 32> text;
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
 
 [[noreturn]] void Fail(const std::string& path, const std::string& message) {
   throw std::runtime_error(path + ": " + message);
@@ -108,7 +104,8 @@ Image ReadImage(const std::string& path) {
 double ReadThreshold(const YamlFile& yaml, const std::string& key) {
   const double threshold = yaml.Number(key);
   if (threshold < 0.0 || threshold > 1.0) {
-    yaml.Fail(yaml.Get(key), "expected '" + key + "' from 0 to 1, found " + Exactly(threshold));
+    yaml.Fail(yaml.Get(key),
+              "expected '" + key + "' from 0 to 1, found " + ShortestText(threshold));
   }
   return threshold;
 }
@@ -130,8 +127,8 @@ void WritePgm(const TrinaryMap& map, std::ostream& out) {
 }
 
 void WriteMapYaml(const TrinaryMap& map, const std::string& image_name, std::ostream& out) {
-  out << "image: " << image_name << "\nresolution: " << Exactly(map.resolution_m) << "\norigin: ["
-      << Exactly(map.origin_x_m) << ", " << Exactly(map.origin_y_m)
+  out << "image: " << image_name << "\nresolution: " << ShortestText(map.resolution_m)
+      << "\norigin: [" << ShortestText(map.origin_x_m) << ", " << ShortestText(map.origin_y_m)
       << ", 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
 }
 
@@ -141,17 +138,17 @@ TrinaryMap ReadMap(const std::string& yaml_path) {
   map.resolution_m = yaml.Number("resolution");
   if (!(map.resolution_m >= 0.001 && map.resolution_m <= 100.0)) {
     yaml.Fail(yaml.Get("resolution"),
-              "expected a resolution from 0.001 to 100 m, found " + Exactly(map.resolution_m));
+              "expected a resolution from 0.001 to 100 m, found " + ShortestText(map.resolution_m));
   }
   const std::vector<double> origin = yaml.Numbers(yaml.Get("origin"), 3, "the origin [x, y, 0]");
   if (origin[2] != 0.0) {
     yaml.Fail(yaml.Get("origin"),
-              "expected a map that is not rotated (yaw 0), found yaw " + Exactly(origin[2]));
+              "expected a map that is not rotated (yaw 0), found yaw " + ShortestText(origin[2]));
   }
   for (const double coordinate_m : {origin[0], origin[1]}) {
     if (!(std::abs(coordinate_m) <= kFarthestOrigin_m)) {
-      yaml.Fail(yaml.Get("origin"), "expected an origin within " + Exactly(kFarthestOrigin_m) +
-                                        " m, found " + Exactly(coordinate_m));
+      yaml.Fail(yaml.Get("origin"), "expected an origin within " + ShortestText(kFarthestOrigin_m) +
+                                        " m, found " + ShortestText(coordinate_m));
     }
   }
   map.origin_x_m = origin[0];

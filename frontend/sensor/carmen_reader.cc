@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "backend/graph/text_line.h"
+#include "backend/text.h"
 
 namespace gmapping_spa::sensor {
 namespace {

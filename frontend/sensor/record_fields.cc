@@ -1,17 +1,15 @@
 #include "frontend/sensor/record_fields.h"
 
-#include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+#include <optional>
 #include <string>
 
-#include "backend/graph/text_line.h"
+#include "backend/text.h"
 
 namespace gmapping_spa::sensor {
 namespace {
 
-constexpr std::string_view kBlanks = " \t";
 constexpr double kMaxMagnitude = 1e9;  // of coordinates and angles
 constexpr double kMaxStamp = 1e12;     // s; the year 33658
 
@@ -22,14 +20,7 @@ constexpr double kMaxStamp = 1e12;     // s; the year 33658
 
 }  // namespace
 
-std::string_view RecordFields::TryWord() {
-  const std::size_t begin = rest_.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return {};
-  rest_.remove_prefix(begin);
-  const std::string_view word = rest_.substr(0, rest_.find_first_of(kBlanks));
-  rest_.remove_prefix(word.size());
-  return word;
-}
+std::string_view RecordFields::TryWord() { return backend::TakeWord(&rest_); }
 
 std::string_view RecordFields::Word(const char* what) {
   const std::string_view word = TryWord();
@@ -39,11 +30,9 @@ std::string_view RecordFields::Word(const char* what) {
 
 double RecordFields::Number(const char* what) {
   const std::string_view word = TryWord();
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error == std::errc::invalid_argument || end != word.data() + word.size()) Fail(what, word);
-  if (error == std::errc::result_out_of_range) return std::numeric_limits<double>::quiet_NaN();
-  return value;
+  const std::optional<double> value = backend::ParseNumber<double>(word);
+  if (!value) Fail(what, word);
+  return *value;
 }
 
 double RecordFields::BoundedNumber(const char* what, double limit) {
@@ -66,11 +55,9 @@ backend::SE2 RecordFields::Pose(const char* what) {
 
 std::vector<double> RecordFields::CountedNumbers(const char* what) {
   const std::string_view word = TryWord();
-  std::uint64_t count = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);
-  if (error != std::errc() || end != word.data() + word.size()) {
-    Fail("number of " + std::string(what), word);
-  }
+  const auto parsed = backend::ParseNumber<std::uint64_t>(word);
+  if (!parsed) Fail("number of " + std::string(what), word);
+  const std::uint64_t count = *parsed;
   // A number takes a blank and a digit at least. Told before any memory is asked for.
   if (count > rest_.size() / 2) {
     throw MalformedRecord("expected " + std::to_string(count) + " " + what +

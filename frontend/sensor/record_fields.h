@@ -16,7 +16,7 @@ struct MalformedRecord : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Fields are separated by blanks and tabs. `what` names a field in messages. Everything but
+// Fields are separated by blanks. `what` names a field in messages. Everything but
 // TryWord throws MalformedRecord when the field is missing or is not what was asked for.
 class RecordFields {
  public:
@@ -25,7 +25,7 @@ class RecordFields {
   std::string_view TryWord();  // empty at the end of the line
   std::string_view Word(const char* what);
 
-  // Any number, nan and infinity included. One that no double can hold is nan.
+  // As backend::ParseNumber: nan and infinity included, and what no double can hold is nan.
   double Number(const char* what);
   // A finite number of sane size: where it is not, later arithmetic would overflow.
   double FiniteNumber(const char* what);
