@@ -12,7 +12,7 @@ namespace gmapping_spa::frontend {
 using backend::SE2;
 
 FinalOptimization::FinalOptimization(const Options& options, Run run)
-    : options_(options), run_(std::move(run)), matcher_(options.gauss_newton, {}) {
+    : options_(options), run_(std::move(run)), gauss_newton_(options.gauss_newton) {
   std::vector<int> positions(run_.scans->size());
   std::iota(positions.begin(), positions.end(), 0);
   std::sort(positions.begin(), positions.end(),
@@ -110,7 +110,8 @@ void FinalOptimization::RefineScans(const std::vector<bool>& is_drawn,
     const sensor::LaserScan scan = run_.scans->Get(k);
     const scan_matching::ScanPoints points = scan_matching::MakeScanPoints(scan);
     SE2& pose = (*trajectory)[rows_[k]].world_T_robot;
-    const scan_matching::GaussNewton::Alignment aligned = matcher_.Align(map, points, pose, prior);
+    const scan_matching::GaussNewton::Alignment aligned =
+        gauss_newton_.Align(map, points, pose, prior);
     const SE2 shift = Between(pose, aligned.world_T_robot);
     if (aligned.inliers >= options_.min_inliers * static_cast<double>(points.size()) &&
         shift.translation().norm() <= options_.max_shift_m &&

@@ -72,7 +72,7 @@ class FinalOptimization {
 
   Options options_;
   Run run_;
-  scan_matching::GaussNewton matcher_;
+  scan_matching::GaussNewton gauss_newton_;
   std::vector<std::size_t> rows_;  // of the trajectory, of each position in the archive
 };
 

@@ -71,7 +71,7 @@ bool IsSame(const SE2& a, const SE2& b) {
 
 LidarOdometry::LidarOdometry(const Options& options)
     : options_(options),
-      matcher_(options.gauss_newton, options.endpoint),
+      gauss_newton_(options.gauss_newton),
       map_(
           [&options] {
             map::OccupancyGrid::Options grid = options.grid;
@@ -201,7 +201,7 @@ LidarOdometry::Match LidarOdometry::Track(const SE2& initial,
                                           const MotionHypothesis& hypothesis) const {
   Match match;
   match.odom_T_robot =
-      matcher_.Align(map_.grid(), points_, initial, hypothesis.Information()).world_T_robot;
+      gauss_newton_.Align(map_.grid(), points_, initial, hypothesis.Information()).world_T_robot;
   scan_matching::EndpointModel model(options_.endpoint, &map_.grid(), &points_);
   match.evidence = model.Evaluate(match.odom_T_robot);
   return match;

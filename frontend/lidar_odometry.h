@@ -113,7 +113,7 @@ class LidarOdometry {
   void Learn(const Match& match, double duration_s);
 
   Options options_;
-  scan_matching::GaussNewton matcher_;
+  scan_matching::GaussNewton gauss_newton_;
   SlidingMap map_;
   scan_matching::ScanPoints points_;  // of the scan at hand
   backend::SE2 odom_T_robot_;

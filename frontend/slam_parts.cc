@@ -4,7 +4,7 @@
 
 #include "backend/scheduling/graduated_non_convexity.h"
 #include "backend/scheduling/optimize_safely.h"
-#include "frontend/scan_matching/gauss_newton.h"
+#include "frontend/scan_matching/gauss_newton_matcher.h"
 #include "frontend/scan_matching/hill_climbing.h"
 
 namespace gmapping_spa::frontend {
@@ -16,6 +16,7 @@ using particle_filter::ParticleFilter;
 using particle_filter::PoseSampling;
 using scan_matching::EndpointModel;
 using scan_matching::GaussNewton;
+using scan_matching::GaussNewtonMatcher;
 using scan_matching::HillClimbing;
 
 OdometrySource SourceOf(SlamOptions::Odometry odometry) {
@@ -176,9 +177,10 @@ std::shared_ptr<const scan_matching::ScanMatcher> MakeScanMatcher(const SlamOpti
                               .min_score = options.match_min_score},
         EndpointOptions(options));
   }
-  GaussNewton::Options gauss_newton = GaussNewtonOptions(options);
-  gauss_newton.min_score = options.match_min_score;
-  return std::make_shared<GaussNewton>(gauss_newton, EndpointOptions(options));
+  return std::make_shared<GaussNewtonMatcher>(
+      GaussNewtonMatcher::Options{.alignment = GaussNewtonOptions(options),
+                                  .min_score = options.match_min_score},
+      EndpointOptions(options));
 }
 
 backend::OptimizationThread::OptimizeFunction BindOptimizer(

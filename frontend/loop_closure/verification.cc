@@ -96,7 +96,7 @@ Verifier::Verifier(const Options& options, const DriftModel& drift,
     : options_(options),
       drift_(drift),
       candidates_(candidates),
-      matcher_(options.gauss_newton, {}) {}
+      gauss_newton_(options.gauss_newton) {}
 
 scan_matching::SearchWindow Verifier::WindowOf(double path_length_m) const {
   const double sigmas = candidates_.sigmas;
@@ -209,7 +209,7 @@ ClosureRecord Verifier::Compare(const std::vector<SE2>& world_T_nodes,
   }
 
   const scan_matching::GaussNewton::Alignment fine =
-      matcher_.Align(map, points, coarse.map_T_scan, scan_matching::GaussNewton::WeakPrior());
+      gauss_newton_.Align(map, points, coarse.map_T_scan, scan_matching::GaussNewton::WeakPrior());
   const SE2 shift = Between(coarse.map_T_scan, fine.world_T_robot);
   record.old_T_node = fine.world_T_robot;
   if (shift.translation().norm() > options_.max_shift_m ||

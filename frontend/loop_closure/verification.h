@@ -79,7 +79,7 @@ class Verifier {
   Options options_;
   DriftModel drift_;
   CandidateOptions candidates_;
-  scan_matching::GaussNewton matcher_;
+  scan_matching::GaussNewton gauss_newton_;
 };
 
 }  // namespace gmapping_spa::loop_closure

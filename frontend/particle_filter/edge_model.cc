@@ -10,7 +10,7 @@
 namespace gmapping_spa::particle_filter {
 
 EdgeModel::EdgeModel(const Options& options)
-    : options_(options), matcher_(options.gauss_newton, {}) {
+    : options_(options), gauss_newton_(options.gauss_newton) {
   CHECK_GT(options.constant_sigma_m, 0.0);
   CHECK_GT(options.constant_sigma_rad, 0.0);
 }
@@ -37,7 +37,7 @@ Eigen::Matrix3d EdgeModel::WorldInformation(const Step& step, const map::Occupan
     case Information::kProposal:
       return step.world_covariance.inverse();
     case Information::kHessian:
-      return options_.hessian_gain * matcher_.InformationAt(map, points, step.world_T_robot) +
+      return options_.hessian_gain * gauss_newton_.InformationAt(map, points, step.world_T_robot) +
              scan_matching::GaussNewton::WeakPrior();
     case Information::kConstant:
       break;

@@ -55,7 +55,7 @@ class EdgeModel {
                                    const scan_matching::ScanPoints& points) const;
 
   Options options_;
-  scan_matching::GaussNewton matcher_;
+  scan_matching::GaussNewton gauss_newton_;
 };
 
 }  // namespace gmapping_spa::particle_filter

@@ -136,8 +136,7 @@ NormalEquations Linearize(const map::OccupancyGrid& grid, const ScanPoints& poin
 
 }  // namespace
 
-GaussNewton::GaussNewton(const Options& options, const EndpointModel::Options& model_options)
-    : options_(options), model_options_(model_options) {
+GaussNewton::GaussNewton(const Options& options) : options_(options) {
   CHECK_GE(options.max_iterations, 1);
   CHECK_GT(options.noise_sigma_m, 0.0);
   CHECK_GT(options.robust_sigmas, 0.0);
@@ -163,19 +162,6 @@ GaussNewton::Alignment GaussNewton::Align(const map::OccupancyGrid& grid, const 
     if (step.cwiseAbs().maxCoeff() < options_.step_tolerance) break;
   }
   return alignment;
-}
-
-MatchResult GaussNewton::Match(const map::OccupancyGrid& grid, const ScanPoints& points,
-                               const SE2& initial_world_T_robot,
-                               const Eigen::Matrix3d& prior_information) const {
-  const SE2 aligned = Align(grid, points, initial_world_T_robot, prior_information).world_T_robot;
-  EndpointModel model(model_options_, &grid, &points);
-  const double initial_fit = model.Evaluate(initial_world_T_robot).Fit();
-  const double aligned_fit = model.Evaluate(aligned).Fit();
-  const bool better = aligned_fit >= initial_fit;
-  const double fit = std::max(aligned_fit, initial_fit);
-  return {fit >= options_.min_score && !points.empty(), better ? aligned : initial_world_T_robot,
-          fit};
 }
 
 Eigen::Matrix3d GaussNewton::InformationAt(const map::OccupancyGrid& grid, const ScanPoints& points,

@@ -1,11 +1,12 @@
-// Scan matching by Gauss-Newton on the surfaces of a map: sub-cell, in a few iterations.
+// Aligning a scan with the surfaces of a map by Gauss-Newton: sub-cell, in a few iterations.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_GAUSS_NEWTON_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_GAUSS_NEWTON_H_
 
 #include <Eigen/Core>
 
-#include "frontend/scan_matching/endpoint_model.h"
-#include "frontend/scan_matching/scan_matcher.h"
+#include "backend/se2.h"
+#include "frontend/map/occupancy_grid.h"
+#include "frontend/scan_matching/scan_points.h"
 
 namespace gmapping_spa::scan_matching {
 
@@ -13,7 +14,7 @@ namespace gmapping_spa::scan_matching {
 // LocalSurface: the distance of generalized ICP (Segal et al. 2009) to a moving least squares
 // surface (Levin 2004), by iteratively reweighted Gauss-Newton. The field of distances is never
 // stored: it is summed up from the map's hit means where a beam ends, and so is always up to date.
-class GaussNewton : public ScanMatcher {
+class GaussNewton {
  public:
   struct Options {
     int max_iterations = 20;
@@ -21,7 +22,6 @@ class GaussNewton : public ScanMatcher {
     double robust_sigmas = 2.0;   // width of the Cauchy weight
     // Converged when no component of a step is larger, in m and in rad.
     double step_tolerance = 5e-4;
-    double min_score = 0.2;  // a match below this is a failure
     friend bool operator==(const Options&, const Options&) = default;
   };
 
@@ -32,7 +32,7 @@ class GaussNewton : public ScanMatcher {
     double inliers = 0.0;  // sum of the robust weights, of at most the number of points
   };
 
-  GaussNewton(const Options& options, const EndpointModel::Options& model_options);
+  explicit GaussNewton(const Options& options);
 
   // The minimum itself, however well it fits. `prior_information`: how sure the initial pose is
   // about (x, y, theta) in the world frame; positive definite, since a corridor says nothing about
@@ -40,11 +40,6 @@ class GaussNewton : public ScanMatcher {
   Alignment Align(const map::OccupancyGrid& grid, const ScanPoints& points,
                   const backend::SE2& initial_world_T_robot,
                   const Eigen::Matrix3d& prior_information) const;
-
-  // The minimum where it fits at least as well as the initial pose, else that.
-  MatchResult Match(const map::OccupancyGrid& grid, const ScanPoints& points,
-                    const backend::SE2& initial_world_T_robot,
-                    const Eigen::Matrix3d& prior_information) const override;
 
   // A prior that decides nothing that any beam has a say in.
   static Eigen::Matrix3d WeakPrior() { return 1e-3 * Eigen::Matrix3d::Identity(); }
@@ -55,7 +50,6 @@ class GaussNewton : public ScanMatcher {
 
  private:
   Options options_;
-  EndpointModel::Options model_options_;
 };
 
 }  // namespace gmapping_spa::scan_matching

@@ -15,7 +15,7 @@
 #include "backend/scheduling/optimize_safely.h"
 #include "backend/spa/spa_optimizer.h"
 #include "frontend/improved_gmapping.h"
-#include "frontend/scan_matching/gauss_newton.h"
+#include "frontend/scan_matching/gauss_newton_matcher.h"
 #include "tests/frontend/loop_closure/loop_world.h"
 #include "tests/frontend/room_map.h"
 
@@ -82,8 +82,8 @@ class LoopDrive : public testing::Test {
                                           OptimizeFunction optimize) const {
     auto gmapping = std::make_unique<ImprovedGmapping>(
         options,
-        std::make_shared<scan_matching::GaussNewton>(scan_matching::GaussNewton::Options{},
-                                                     options.filter.endpoint),
+        std::make_shared<scan_matching::GaussNewtonMatcher>(
+            scan_matching::GaussNewtonMatcher::Options{}, options.filter.endpoint),
         std::move(optimize));
     for (const sensor::LaserScan& scan : scans_) gmapping->AddScan(scan);
     return gmapping;
@@ -183,10 +183,11 @@ TEST_F(LoopDrive, CorrectionIsOfTheCurrentPoseOrOfTheWholeTrajectory) {
   for (const auto correction :
        {ImprovedGmapping::Correction::kPose, ImprovedGmapping::Correction::kTrajectory}) {
     options.correction = correction;
-    ImprovedGmapping gmapping(options,
-                              std::make_shared<scan_matching::GaussNewton>(
-                                  scan_matching::GaussNewton::Options{}, options.filter.endpoint),
-                              shift);
+    ImprovedGmapping gmapping(
+        options,
+        std::make_shared<scan_matching::GaussNewtonMatcher>(
+            scan_matching::GaussNewtonMatcher::Options{}, options.filter.endpoint),
+        shift);
     for (int k = 0; k < 5; ++k) gmapping.AddScan(scans_[k]);
     ASSERT_TRUE(gmapping.graph_thread().busy());
     const std::vector<SE2> before = backend::PosesOf(gmapping.CurrentResult().graph);

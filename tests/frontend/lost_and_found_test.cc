@@ -12,7 +12,7 @@
 #include "backend/scheduling/optimize_safely.h"
 #include "backend/spa/spa_optimizer.h"
 #include "frontend/improved_gmapping.h"
-#include "frontend/scan_matching/gauss_newton.h"
+#include "frontend/scan_matching/gauss_newton_matcher.h"
 #include "tests/frontend/loop_closure/hall.h"
 #include "tests/frontend/loop_closure/loop_world.h"
 
@@ -63,8 +63,8 @@ class LostAndFound : public testing::Test {
     options.filter.edges.measurement = particle_filter::EdgeModel::Measurement::kControl;
     gmapping_ = std::make_unique<ImprovedGmapping>(
         options,
-        std::make_shared<scan_matching::GaussNewton>(scan_matching::GaussNewton::Options{},
-                                                     options.filter.endpoint),
+        std::make_shared<scan_matching::GaussNewtonMatcher>(
+            scan_matching::GaussNewtonMatcher::Options{}, options.filter.endpoint),
         [spa = std::make_shared<spa::SpaOptimizer>()](backend::PoseGraph* graph) {
           return backend::OptimizeSafely({}, spa.get(), graph);
         });

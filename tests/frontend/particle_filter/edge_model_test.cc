@@ -105,7 +105,7 @@ TEST_F(OneStep, HessianIsThatOfScanMatchingAtTheNewPose) {
   options.hessian_gain = 0.25;
   options.gauss_newton.noise_sigma_m = 0.05;
   const Eigen::Matrix3d matching =
-      GaussNewton(options.gauss_newton, {}).InformationAt(grid_, points_, step_.world_T_robot);
+      GaussNewton(options.gauss_newton).InformationAt(grid_, points_, step_.world_T_robot);
   ExpectSameStatement(Described(options).information, 0.25 * matching + GaussNewton::WeakPrior());
 }
 

@@ -25,7 +25,7 @@ TEST_P(GaussNewtonInCorridor, InformationIsLongAcrossAndShortAlong) {
   const SE2 pose{0.1, -0.2, direction_rad};
   const ScanPoints points =
       MakeScanPoints(synthetic::Scan(synthetic::Corridor(direction_rad), pose));
-  const Eigen::Matrix3d information = GaussNewton({}, {}).InformationAt(grid, points, pose);
+  const Eigen::Matrix3d information = GaussNewton({}).InformationAt(grid, points, pose);
   const Eigen::Vector2d along(std::cos(direction_rad), std::sin(direction_rad));
   const Eigen::Vector2d across(-along.y(), along.x());
   const Eigen::Matrix2d xy = information.topLeftCorner<2, 2>();
@@ -44,7 +44,7 @@ TEST_P(GaussNewtonInCorridor, ScanIsMovedAcrossAndLeftWhereItIsAlong) {
       MakeScanPoints(synthetic::Scan(synthetic::Corridor(direction_rad), truth));
   const SE2 start = truth * SE2{0.2, 0.04, 0.02};
   for (const double prior : {1e-3, 1e4}) {
-    const SE2 aligned = GaussNewton({}, {})
+    const SE2 aligned = GaussNewton({})
                             .Align(grid, points, start, prior * Eigen::Matrix3d::Identity())
                             .world_T_robot;
     const SE2 error = Between(truth, aligned);
@@ -78,7 +78,7 @@ TEST_P(GaussNewtonInCorridor, NoisyRangesLeaveTheWayAlongItToThePrior) {
       const SE2 truth = heading * SE2{0.03 * trial, 0.1, 0};
       const SE2 start = truth * SE2{0.1, 0, 0};
       const Eigen::Matrix3d prior = backend::InformationFromSigmas(0.05, 0.02);
-      const SE2 aligned = GaussNewton({}, {})
+      const SE2 aligned = GaussNewton({})
                               .Align(grid, MakeScanPoints(noisy(truth, beams)), start, prior)
                               .world_T_robot;
       sum += Between(start, aligned).x;
