@@ -156,9 +156,7 @@ void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan,
 }
 
 bool ImprovedGmapping::CloseLoops() {
-  backend::PoseGraphRecorder path;
-  EmitPath(&path);
-  const int closed = loop_closer_.Update(backend::PosesOf(path.graph()),
+  const int closed = loop_closer_.Update(filter_.PosesOfPath(filter_.BestParticle()),
                                          [this](int node) { return ScanOfNode(node); });
   if (closed > 0) closure_waits_ = true;
   return closed > 0;
@@ -247,9 +245,7 @@ SE2 ImprovedGmapping::CurrentPose() const {
 }
 
 backend::Trajectory ImprovedGmapping::CurrentTrajectory() const {
-  backend::PoseGraphRecorder path;
-  EmitPath(&path);
-  return scan_poses_.Fill(backend::PosesOf(path.graph()));
+  return scan_poses_.Fill(filter_.PosesOfPath(filter_.BestParticle()));
 }
 
 SlamResult ImprovedGmapping::CurrentResult() const {

@@ -202,6 +202,10 @@ std::vector<TrajectoryTree::Vertex> ParticleFilter::Path(int particle) const {
   return tree_.Path(particles_[particle].leaf);
 }
 
+std::vector<SE2> ParticleFilter::PosesOfPath(int particle) const {
+  return tree_.PosesOfPath(particles_[particle].leaf);
+}
+
 void ParticleFilter::CorrectCurrentPoses(const PathCorrection& correction) {
   for (Particle& particle : particles_) {
     particle.world_T_robot = correction.Apply(static_cast<int>(step_), particle.world_T_robot);

@@ -85,6 +85,7 @@ class ParticleFilter {
 
   // Poses of a particle at Start and at every Advance.
   std::vector<TrajectoryTree::Vertex> Path(int particle) const;
+  std::vector<backend::SE2> PosesOfPath(int particle) const;
 
   // Step 6, eq. (14), as the paper writes it: adds the correction to each particle's current pose.
   void CorrectCurrentPoses(const PathCorrection& correction);

@@ -22,6 +22,14 @@ std::vector<TrajectoryTree::Vertex> TrajectoryTree::Path(Index leaf) const {
   return path;
 }
 
+std::vector<backend::SE2> TrajectoryTree::PosesOfPath(Index leaf) const {
+  std::vector<backend::SE2> poses(vertices_.at(leaf).step + 1);
+  for (Index at = leaf; at != kNone; at = vertices_[at].parent) {
+    poses[vertices_[at].step] = vertices_[at].world_T_robot;
+  }
+  return poses;
+}
+
 void TrajectoryTree::Prune(std::vector<Index>* leaves) {
   std::vector<bool> kept(vertices_.size(), false);
   for (const Index leaf : *leaves) {

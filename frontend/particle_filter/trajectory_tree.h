@@ -39,6 +39,7 @@ class TrajectoryTree {
 
   // From the root to `leaf`.
   std::vector<Vertex> Path(Index leaf) const;
+  std::vector<backend::SE2> PosesOfPath(Index leaf) const;
 
   // Forgets every pose that no leaf descends from, and renumbers `leaves` to match.
   void Prune(std::vector<Index>* leaves);
