@@ -75,7 +75,7 @@ LidarOdometry::LidarOdometry(const Options& options)
       map_(
           [&options] {
             map::OccupancyGrid::Options grid = options.grid;
-            grid.full_threshold = options.full_threshold;
+            grid.occupied_threshold = options.occupied_threshold;
             return grid;
           }(),
           options.map_scans),

@@ -55,7 +55,7 @@ class LidarOdometry {
     map::OccupancyGrid::Options grid;
     // Of the map that scans are matched with, in place of the grid's own: what is seen through more
     // often than this was a person who went by.
-    double full_threshold = 0.25;
+    double occupied_threshold = 0.25;
     MotionPrior::Options prior;
     // Time from the first beam of a scan to the last one, s; learned where it is not given.
     std::optional<double> sweep_duration_s;

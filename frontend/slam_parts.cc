@@ -109,7 +109,8 @@ ParticleFilter::Options FilterOptions(const SlamOptions& options) {
                    .linear_floor_m = options.motion_linear_floor_m,
                    .angular_floor_rad = options.motion_angular_floor_rad,
                    .noise_at_each_scan = options.motion_noise == SlamOptions::MotionNoise::kScan};
-  filter.grid = {.resolution_m = options.resolution_m, .full_threshold = options.full_threshold};
+  filter.grid = {.resolution_m = options.resolution_m,
+                 .occupied_threshold = options.grid_occupied_threshold};
   filter.insertion.no_return_clears = options.no_return_clears;
   filter.endpoint = EndpointOptions(options);
   return filter;

@@ -12,6 +12,7 @@ const std::map<std::string, std::string>& NewNames() {
       {"closure_min_fit", "closure_min_inlier_ratio"},
       {"closure_min_way_m", "closure_min_path_length_m"},
       {"final_round", "final_optimization"},
+      {"full_threshold", "grid_occupied_threshold"},
       {"match_halvings", "match_refinements"},
       {"spa_max_rises", "spa_max_nonmonotonic_steps"}};
   return names;

@@ -91,7 +91,7 @@ DEFINE_double(
 
 DEFINE_double(resolution_m, kSlam.resolution_m,
               "Edge length of a cell of all maps in m, from 0.005 to 10.");
-DEFINE_double(full_threshold, kSlam.full_threshold,
+DEFINE_double(grid_occupied_threshold, kSlam.grid_occupied_threshold,
               "For scan matching, a cell is occupied when more than this part, 0 to 1, of the "
               "beams that met it ended in it. 0: one hit is enough, for ever.");
 DEFINE_double(occupied_threshold, kSlam.occupied_threshold,
@@ -184,7 +184,7 @@ void AddFilterOptions(SlamOptions* options) {
     options->sweep_duration_s = Number("sweep_duration_s", FLAGS_sweep_duration_s);
   }
   options->resolution_m = FLAGS_resolution_m;
-  options->full_threshold = FLAGS_full_threshold;
+  options->grid_occupied_threshold = FLAGS_grid_occupied_threshold;
   options->occupied_threshold = FLAGS_occupied_threshold;
   options->no_return_clears = FLAGS_no_return_clears;
 }

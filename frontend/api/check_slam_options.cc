@@ -41,7 +41,7 @@ void CheckFilter(const SlamOptions& o) {
 
 void CheckMatching(const SlamOptions& o) {
   Expect("resolution_m", o.resolution_m, 0.005, 10.0);
-  ExpectNotNegative("full_threshold", o.full_threshold);
+  ExpectNotNegative("grid_occupied_threshold", o.grid_occupied_threshold);
   ExpectNotNegative("occupied_threshold", o.occupied_threshold);
   Expect("initial_guesses", o.initial_guesses, 0, 100000);
   Expect("match_linear_step_m", o.match_linear_step_m, 1e-3, 10.0);

@@ -21,7 +21,7 @@ SlamOptions PublishedFilter() {
   options.scan_matcher = SlamOptions::ScanMatcher::kHillClimbing;
   options.score_sigma_m = 0.158;
   options.free_cell_in_front = false;
-  options.full_threshold = 0.0;
+  options.grid_occupied_threshold = 0.0;
   options.match_min_score = 0.0;
   // That is the pose; the weight is exp(-d^2 / 0.075) a beam, exp(-6.67) where nothing is near.
   options.proposal = SlamOptions::Proposal::kMatch;

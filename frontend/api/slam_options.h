@@ -49,7 +49,7 @@ struct SlamOptions {
   double resolution_m = 0.05;  ///< size of a cell of all maps: particles', local and final ones
   /// For matching with the map of a particle, a cell is an obstacle when more than this part of the
   /// beams that met it ended in it.
-  double full_threshold = 0.1;
+  double grid_occupied_threshold = 0.1;
   double occupied_threshold = 0.25;  ///< likewise, for the map that is handed out
   bool no_return_clears = false;     ///< whether beams without return mark the map as free
 

@@ -37,7 +37,7 @@ struct Explanation {
 };
 
 Explanation Explain(const map::OccupancyGrid& map, const scan_matching::ScanPoints& points,
-                    const SE2& map_T_scan, double full_threshold, int reach_cells) {
+                    const SE2& map_T_scan, double occupied_threshold, int reach_cells) {
   const double cells_per_m = 1.0 / map.resolution_m();
   Explanation explanation;
   for (const scan_matching::ScanPoint& point : points) {
@@ -49,7 +49,7 @@ Explanation Explain(const map::OccupancyGrid& map, const scan_matching::ScanPoin
     for (int y = -reach_cells; y <= reach_cells && !found; ++y) {
       for (int x = -reach_cells; x <= reach_cells && !found; ++x) {
         const map::Cell& near = map.cell({cell.x + x, cell.y + y});
-        found = near.hits > full_threshold * near.visits;
+        found = near.hits > occupied_threshold * near.visits;
       }
     }
     explanation.explained += found ? 1 : 0;
@@ -149,7 +149,8 @@ void Verifier::AskOldScans(const std::vector<SE2>& world_T_nodes, const ScanOfNo
       JoinScans(world_T_nodes, scan_of_node, old_nodes, record->old_node, options_.cell_m);
   const Explanation explanation = Explain(
       BuildLocalMap(world_T_nodes, scan_of_node, new_nodes, record->node, options_.grid), points,
-      Inverse(is_found ? record->old_T_node : expectation.old_T_node), options_.grid.full_threshold,
+      Inverse(is_found ? record->old_T_node : expectation.old_T_node),
+      options_.grid.occupied_threshold,
       is_found ? 1 : static_cast<int>(std::ceil(kPredicted_m / options_.grid.resolution_m)));
   record->mutual_inlier_ratio = explanation.part();
   // Where new scans see little that is known, what they see through still speaks.

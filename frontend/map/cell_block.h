@@ -11,9 +11,9 @@
 
 namespace gmapping_spa::map {
 
-// 8 x 8 cells: which of them are full, as the bits of one word, and the hit means of those. Asking
-// the grid itself costs several times as much, and a scan matcher asks for the same cells again and
-// again.
+// 8 x 8 cells: which of them are occupied, as the bits of one word, and the hit means of those.
+// Asking the grid itself costs several times as much, and a scan matcher asks for the same cells
+// again and again.
 class CellBlock {
  public:
   // Covers nothing. The hit means are left as they are: a matcher makes hundreds of blocks.
@@ -22,15 +22,15 @@ class CellBlock {
   // Copies the block around `center`.
   void CopyFrom(const OccupancyGrid& grid, CellIndex center) {
     corner_ = {center.x - kCentre, center.y - kCentre};
-    full_ = 0;
+    occupied_ = 0;
     often_hit_ = 0;
     for (int row = 0; row < kSize; ++row) {
       const std::uint64_t bits = grid.OccupiedBits({corner_.x, corner_.y + row});
-      full_ |= bits << (kSize * row);
+      occupied_ |= bits << (kSize * row);
     }
     x_.fill(kFarAway);
     y_.fill(kFarAway);
-    for (std::uint64_t rest = full_; rest != 0; rest &= rest - 1) {
+    for (std::uint64_t rest = occupied_; rest != 0; rest &= rest - 1) {
       const int bit = std::countr_zero(rest);
       const int column = bit % kSize, row = bit / kSize;
       const Cell& cell = grid.cell({corner_.x + column, corner_.y + row});
@@ -41,8 +41,8 @@ class CellBlock {
     }
   }
 
-  // Whether ForEachFullNeighbor can be asked about the cell: the block holds all cells up to two
-  // away from it.
+  // Whether ForEachOccupiedNeighbor can be asked about the cell: the block holds all cells up to
+  // two away from it.
   bool Covers(CellIndex index) const {
     return static_cast<unsigned>(index.x - corner_.x - 2) < kSize - 4 &&
            static_cast<unsigned>(index.y - corner_.y - 2) < kSize - 4;
@@ -55,31 +55,31 @@ class CellBlock {
     return std::popcount(often_hit_ & kThreeByThree << (kSize * (row - 1) + column - 1));
   }
 
-  // Whether any cell of the 3 x 3 neighborhood of the cell is full.
+  // Whether any cell of the 3 x 3 neighborhood of the cell is occupied.
   bool HasOccupiedNeighbor(CellIndex index) const {
     const int column = index.x - corner_.x, row = index.y - corner_.y;
-    return (full_ & kThreeByThree << (kSize * (row - 1) + column - 1)) != 0;
+    return (occupied_ & kThreeByThree << (kSize * (row - 1) + column - 1)) != 0;
   }
 
   // Calls visit(x, y) with the hit mean, in cells relative to the corner of the cell `index`, of
   // every occupied cell of its 3 x 3 neighborhood whose own neighbor in direction (dx, dy), each
-  // -1, 0 or 1 and not both 0, is not full.
+  // -1, 0 or 1 and not both 0, is not occupied.
   template <typename Visit>
-  void ForEachFullNeighbor(CellIndex index, int dx, int dy, const Visit& visit) const {
+  void ForEachOccupiedNeighbor(CellIndex index, int dx, int dy, const Visit& visit) const {
     const int toward = kSize * dy + dx;
-    const std::uint64_t blocked = toward > 0 ? full_ >> toward : full_ << -toward;
-    VisitNeighbors(full_ & ~blocked, index, visit);
+    const std::uint64_t blocked = toward > 0 ? occupied_ >> toward : occupied_ << -toward;
+    VisitNeighbors(occupied_ & ~blocked, index, visit);
   }
 
   // The same for every occupied cell, whatever is beside it.
   template <typename Visit>
-  void ForEachFullNeighbor(CellIndex index, const Visit& visit) const {
-    VisitNeighbors(full_, index, visit);
+  void ForEachOccupiedNeighbor(CellIndex index, const Visit& visit) const {
+    VisitNeighbors(occupied_, index, visit);
   }
 
   // Calls visit(xs, ys) for each of the three rows of the 3 x 3 neighborhood of the cell `index`:
   // four hit means side by side, in cells relative to the corner of the cell. That of a cell that
-  // is not full is far away; so is the fourth, which belongs to no neighbor. To be added up
+  // is not occupied is far away; so is the fourth, which belongs to no neighbor. To be added up
   // without branches, several times as fast as one by one.
   template <typename Visit>
   void ForEachRowOfNeighbors(CellIndex index, const Visit& visit) const {
@@ -111,7 +111,7 @@ class CellBlock {
   }
 
   CellIndex corner_{-2 * kMaxCellIndex, -2 * kMaxCellIndex};  // covers nothing
-  std::uint64_t full_ = 0;                                    // bit kSize * row + column
+  std::uint64_t occupied_ = 0;                                // bit kSize * row + column
   std::uint64_t often_hit_ = 0;
   // Hit means from the corner of the block.
   std::array<float, kSize * kSize> x_;

@@ -52,10 +52,10 @@ void OccupancyGrid::AddHit(double x_cells, double y_cells) {
 void OccupancyGrid::UpdateOccupied(Tile& tile, int x, int y) const {
   const Cell& cell = tile.cell(x, y);
   const auto bit = static_cast<std::uint16_t>(1u << x);
-  if (cell.hits > options_.full_threshold * cell.visits) {
-    tile.full[y] |= bit;
+  if (cell.hits > options_.occupied_threshold * cell.visits) {
+    tile.occupied[y] |= bit;
   } else {
-    tile.full[y] &= static_cast<std::uint16_t>(~bit);
+    tile.occupied[y] &= static_cast<std::uint16_t>(~bit);
   }
 }
 

@@ -35,7 +35,7 @@ class OccupancyGrid {
     double resolution_m = 0.05;
     // A cell is an obstacle for scan matching when more than this part of the beams that met it
     // ended there (GMapping's "fullness").
-    double full_threshold = 0.1;
+    double occupied_threshold = 0.1;
     friend bool operator==(const Options&, const Options&) = default;
   };
 
@@ -56,15 +56,15 @@ class OccupancyGrid {
     return tile ? tile->cell(index.x & Tile::kMask, index.y & Tile::kMask) : kEmptyCell;
   }
 
-  // Whether the eight cells (x, y) ... (x + 7, y) are full, from the lowest bit up.
+  // Whether the eight cells (x, y) ... (x + 7, y) are occupied, from the lowest bit up.
   std::uint32_t OccupiedBits(CellIndex index) const {
     const int tile_x = index.x >> Tile::kShift, tile_y = index.y >> Tile::kShift;
     const int shift = index.x & Tile::kMask, row = index.y & Tile::kMask;
     std::uint32_t bits = 0;
-    if (const Tile* tile = FindTile(tile_x, tile_y)) bits = tile->full[row] >> shift;
+    if (const Tile* tile = FindTile(tile_x, tile_y)) bits = tile->occupied[row] >> shift;
     if (shift > Tile::kSize - 8) {
       const Tile* next = FindTile(tile_x + 1, tile_y);
-      if (next) bits |= static_cast<std::uint32_t>(next->full[row]) << (Tile::kSize - shift);
+      if (next) bits |= static_cast<std::uint32_t>(next->occupied[row]) << (Tile::kSize - shift);
     }
     return bits & 0xff;
   }

@@ -57,9 +57,9 @@ struct Tile : boost::intrusive_ref_counter<Tile, boost::thread_safe_counter> {
   static constexpr int kMask = kSize - 1;
 
   std::array<Cell, kSize * kSize> cells{};
-  // Bit x of full[y]: the cell counts as an obstacle for scan matching. Redundant with the cells,
-  // kept because a matcher asks nine cells per beam and nearly all of them are empty.
-  std::array<std::uint16_t, kSize> full{};
+  // Bit x of occupied[y]: the cell counts as an obstacle for scan matching. Redundant with the
+  // cells, kept because a matcher asks nine cells per beam and nearly all of them are empty.
+  std::array<std::uint16_t, kSize> occupied{};
 
   Cell& cell(int x, int y) { return cells[y * kSize + x]; }
   const Cell& cell(int x, int y) const { return cells[y * kSize + x]; }

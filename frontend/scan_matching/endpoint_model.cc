@@ -88,9 +88,9 @@ float EndpointModel::SquaredDistanceToHit(const EndPoint& end) const {
     nearest = std::min(nearest, dx * dx + dy * dy);
   };
   if (free_cell_in_front_) {
-    end.block->ForEachFullNeighbor(end.cell, end.back_dx, end.back_dy, compare);
+    end.block->ForEachOccupiedNeighbor(end.cell, end.back_dx, end.back_dy, compare);
   } else {
-    end.block->ForEachFullNeighbor(end.cell, compare);
+    end.block->ForEachOccupiedNeighbor(end.cell, compare);
   }
   return nearest;
 }

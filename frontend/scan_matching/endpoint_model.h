@@ -33,7 +33,7 @@ struct Evidence {
 //
 // The score, for searching, is that of GMapping (Grisetti, Stachniss, Burgard 2007): a beam is
 // explained by the nearest hit mean among the occupied cells of the 3 x 3 neighborhood of its end
-// point whose neighbor toward the laser is not full as well: a wall is seen from its own side.
+// point whose neighbor toward the laser is not occupied as well: a wall is seen from its own side.
 //
 // The evidence, for comparing poses far from each other, is that sum with beams in unseen space
 // left out.
@@ -61,8 +61,9 @@ class EndpointModel {
     // GMapping.
     bool unseen_is_miss = false;
     Likelihood likelihood = Likelihood::kSurface;
-    // Whether a hit explains a beam only where the cell before it, toward the laser, is not full.
-    // GMapping's authors meant it so; in the program that they published the rule has no effect.
+    // Whether a hit explains a beam only where the cell before it, toward the laser, is not
+    // occupied. GMapping's authors meant it so; in the program that they published the rule has no
+    // effect.
     bool free_cell_in_front = true;
     friend bool operator==(const Options&, const Options&) = default;
   };

@@ -13,7 +13,7 @@ namespace {
 constexpr int kBeams = 50;
 
 OccupancyGrid RandomGrid() {
-  OccupancyGrid grid({.resolution_m = 0.05, .full_threshold = 0.3});
+  OccupancyGrid grid({.resolution_m = 0.05, .occupied_threshold = 0.3});
   backend::CounterRandom random(1, 0);
   for (int k = 0; k < 600; ++k) grid.AddHit(60.0 * random.Uniform(), 60.0 * random.Uniform());
   return grid;
@@ -22,7 +22,7 @@ OccupancyGrid RandomGrid() {
 // Hit means in the 3 x 3 neighborhood, from the corner of the cell.
 std::vector<float> Around(const CellBlock& block, CellIndex cell) {
   std::vector<float> means;
-  block.ForEachFullNeighbor(cell, 1, 0, [&](float x, float y) {
+  block.ForEachOccupiedNeighbor(cell, 1, 0, [&](float x, float y) {
     means.push_back(x);
     means.push_back(y);
   });

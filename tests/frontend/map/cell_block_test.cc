@@ -12,20 +12,20 @@
 namespace gmapping_spa::map {
 namespace {
 
-constexpr double kFullThreshold = 0.3;
+constexpr double kOccupiedThreshold = 0.3;
 
 using Points = std::vector<std::pair<float, float>>;
 
-// A patch of hits around a corner where tiles meet; `density` of its cells are full.
+// A patch of hits around a corner where tiles meet; `density` of its cells are occupied.
 OccupancyGrid RandomGrid(std::uint64_t seed, double density) {
-  OccupancyGrid grid({.resolution_m = 0.05, .full_threshold = kFullThreshold});
+  OccupancyGrid grid({.resolution_m = 0.05, .occupied_threshold = kOccupiedThreshold});
   backend::CounterRandom random(seed, 0);
   for (int y = -12; y < 12; ++y) {
     for (int x = -12; x < 12; ++x) {
       if (random.Uniform() < density) grid.AddHit(x + random.Uniform(), y + random.Uniform());
     }
   }
-  for (int i = 0; i < 40; ++i) {  // makes some of them not full again
+  for (int i = 0; i < 40; ++i) {  // makes some of them not occupied again
     const CellIndex at{static_cast<int>(24 * random.Uniform()) - 12,
                        static_cast<int>(24 * random.Uniform()) - 12};
     for (int pass = 0; pass < 4; ++pass) grid.AddPasses(at, {at.x + 1, at.y});
@@ -35,7 +35,7 @@ OccupancyGrid RandomGrid(std::uint64_t seed, double density) {
 
 bool IsOccupied(const OccupancyGrid& grid, CellIndex index) {
   const Cell& cell = grid.cell(index);
-  return cell.hits > kFullThreshold * cell.visits;
+  return cell.hits > kOccupiedThreshold * cell.visits;
 }
 
 Points BruteForce(const OccupancyGrid& grid, CellIndex index, int dx, int dy) {
@@ -67,8 +67,8 @@ TEST(CellBlock, FindsWhatTheGridHoldsInEveryDirection) {
             const int dx = direction % 3 - 1, dy = direction / 3 - 1;
             if (dx == 0 && dy == 0) continue;
             Points points;
-            block.ForEachFullNeighbor({x, y}, dx, dy,
-                                      [&](float mx, float my) { points.emplace_back(mx, my); });
+            block.ForEachOccupiedNeighbor({x, y}, dx, dy,
+                                          [&](float mx, float my) { points.emplace_back(mx, my); });
             const Points expected = BruteForce(grid, {x, y}, dx, dy);
             ASSERT_THAT(points, testing::UnorderedElementsAreArray(expected))
                 << "seed " << seed << " at " << x << " " << y << " toward " << dx << " " << dy;
@@ -84,8 +84,8 @@ TEST(CellBlock, FindsWhatTheGridHoldsInEveryDirection) {
 }
 
 // Of the three rows of a neighborhood, four lanes each: whether the first three hold the hit mean
-// of their cell where that is full, and all others are too far away for any weight but 0.
-void ExpectRows(const OccupancyGrid& grid, const CellBlock& block, CellIndex index, int* full) {
+// of their cell where that is occupied, and all others are too far away for any weight but 0.
+void ExpectRows(const OccupancyGrid& grid, const CellBlock& block, CellIndex index, int* occupied) {
   constexpr float kNoWeight = 1e4f;  // in cells
   int y = -1;
   block.ForEachRowOfNeighbors(index, [&](const Eigen::Array4f& xs, const Eigen::Array4f& ys) {
@@ -95,7 +95,7 @@ void ExpectRows(const OccupancyGrid& grid, const CellBlock& block, CellIndex ind
       if (lane < 3 && IsOccupied(grid, at)) {
         ASSERT_EQ(xs[lane], static_cast<float>(x + grid.cell(at).mean_x / 65536.0));
         ASSERT_EQ(ys[lane], static_cast<float>(y + grid.cell(at).mean_y / 65536.0));
-        ++*full;
+        ++*occupied;
       } else {
         ASSERT_GT(std::hypot(xs[lane], ys[lane]), kNoWeight) << "lane " << lane << " row " << y;
         ASSERT_TRUE(std::isfinite(xs[lane] * xs[lane] + ys[lane] * ys[lane]));  // 0 times it is 0
@@ -106,8 +106,8 @@ void ExpectRows(const OccupancyGrid& grid, const CellBlock& block, CellIndex ind
   ASSERT_EQ(y, 2);
 }
 
-TEST(CellBlock, RowsOfNeighborsHoldTheFullCellsAndNothingElseNearby) {
-  int full = 0, asked = 0;
+TEST(CellBlock, RowsOfNeighborsHoldTheOccupiedCellsAndNothingElseNearby) {
+  int occupied = 0, asked = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const OccupancyGrid grid = RandomGrid(seed, 0.1 + 0.04 * static_cast<double>(seed));
     CellBlock block;  // used again, so that what it held before must not show
@@ -117,14 +117,14 @@ TEST(CellBlock, RowsOfNeighborsHoldTheFullCellsAndNothingElseNearby) {
         for (int x = center.x - 4; x <= center.x + 4; ++x) {
           if (!block.Covers({x, y})) continue;
           ++asked;
-          ExpectRows(grid, block, {x, y}, &full);
+          ExpectRows(grid, block, {x, y}, &occupied);
           if (HasFatalFailure()) FAIL() << "seed " << seed << " at " << x << " " << y;
         }
       }
     }
   }
   EXPECT_EQ(asked, 20 * 5 * 16);
-  EXPECT_GT(full, 1000);
+  EXPECT_GT(occupied, 1000);
 }
 
 TEST(CellBlock, CoversTheCellsThatHaveTwoMoreToEverySide) {
@@ -155,7 +155,7 @@ TEST(CellBlock, ForgetsTheBlockBefore) {
   block.CopyFrom(grid, {50, 50});
   EXPECT_FALSE(block.Covers({0, 0}));
   int found = 0;
-  block.ForEachFullNeighbor({50, 50}, 1, 0, [&](float, float) { ++found; });
+  block.ForEachOccupiedNeighbor({50, 50}, 1, 0, [&](float, float) { ++found; });
   EXPECT_EQ(found, 0);
 }
 

@@ -18,7 +18,7 @@ bool SameCell(const Cell& a, const Cell& b) {
   return a.hits == b.hits && a.visits == b.visits && a.mean_x == b.mean_x && a.mean_y == b.mean_y;
 }
 
-// Whether all cells and full bits of [-size, size) x [-size, size) are the same.
+// Whether all cells and occupied bits of [-size, size) x [-size, size) are the same.
 bool Same(const OccupancyGrid& a, const OccupancyGrid& b, int size) {
   for (int y = -size; y < size; ++y) {
     for (int x = -size; x < size; ++x) {
@@ -183,9 +183,9 @@ TEST(OccupancyGrid, WritingToOneGridOfManyIsSafeWhileThreadsWriteToTheOthers) {
 }
 
 TEST(OccupancyGrid, FullBitsSayWhichCellsAreAboveTheThreshold) {
-  OccupancyGrid grid({.resolution_m = 0.05, .full_threshold = 0.25});
+  OccupancyGrid grid({.resolution_m = 0.05, .occupied_threshold = 0.25});
   AddBeams(5, 4000, &grid);
-  int full = 0, known = 0;
+  int occupied = 0, known = 0;
   for (int y = -104; y < 104; ++y) {
     for (int x = -120; x < 104; ++x) {  // starts and ends outside, crosses all tile borders
       std::uint32_t expected = 0;
@@ -194,12 +194,12 @@ TEST(OccupancyGrid, FullBitsSayWhichCellsAreAboveTheThreshold) {
         if (cell.hits > 0.25 * cell.visits) expected |= 1u << bit;
       }
       ASSERT_EQ(grid.OccupiedBits({x, y}), expected) << x << " " << y;
-      full += static_cast<int>(expected & 1);
+      occupied += static_cast<int>(expected & 1);
       known += grid.cell({x, y}).hits > 0;
     }
   }
-  EXPECT_GT(full, 100);
-  EXPECT_GT(known - full, 100);  // hit, but passed too often
+  EXPECT_GT(occupied, 100);
+  EXPECT_GT(known - occupied, 100);  // hit, but passed too often
 }
 
 }  // namespace

@@ -16,11 +16,11 @@ namespace {
 
 using backend::SE2;
 
-constexpr double kFullThreshold = 0.1;  // the grid's default
+constexpr double kOccupiedThreshold = 0.1;  // the grid's default
 
 bool IsOccupied(const map::OccupancyGrid& grid, map::CellIndex index) {
   const map::Cell& cell = grid.cell(index);
-  return cell.hits > kFullThreshold * cell.visits;
+  return cell.hits > kOccupiedThreshold * cell.visits;
 }
 
 // Squared distance, in m^2, from the end point to the nearest hit mean that explains it, taken from

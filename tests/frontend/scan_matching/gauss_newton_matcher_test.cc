@@ -65,7 +65,7 @@ TEST_F(GaussNewtonMatcherInRoom, FusesThePriorWithTheScan) {
 
 TEST_F(GaussNewtonMatcherInRoom, ScanWithoutPointsStaysWhereItIsAndFails) {
   const SE2 start{1, 2, 3};
-  const GaussNewtonMatcher matcher({.min_score = 0.0}, {});  // even where any score would do
+  const GaussNewtonMatcher matcher({.alignment = {}, .min_score = 0.0}, {});  // any score would do
   const MatchResult result = matcher.Match(grid_, {}, start, GaussNewton::WeakPrior());
   EXPECT_FALSE(result.success);
   EXPECT_TRUE(result.world_T_robot == start);
