@@ -3,6 +3,7 @@
 #include <glog/logging.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "backend/text.h"
 
@@ -34,6 +35,24 @@ void Health::Mark(const std::string& kind, double stamp_s) {
   last.begin_s = std::min(last.begin_s, stamp_s);
   last.end_s = std::max(last.end_s, stamp_s);
   ++last.scans;
+}
+
+void Health::MergeStretches(const std::string& kind) {
+  const auto found = stretches_.find(kind);
+  if (found == stretches_.end()) return;
+  std::vector<Stretch> marked = std::move(found->second);
+  std::stable_sort(marked.begin(), marked.end(),
+                   [](const Stretch& a, const Stretch& b) { return a.begin_s < b.begin_s; });
+  std::vector<Stretch> merged;
+  for (const Stretch& stretch : marked) {
+    if (merged.empty() || stretch.begin_s >= merged.back().end_s + kMaxGapWithinStretchS) {
+      merged.push_back(stretch);
+      continue;
+    }
+    merged.back().end_s = std::max(merged.back().end_s, stretch.end_s);
+    merged.back().scans += stretch.scans;
+  }
+  found->second = std::move(merged);
 }
 
 void Health::LogSummary() const {

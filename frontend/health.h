@@ -36,8 +36,12 @@ class Health {
   // apart belong to one stretch.
   void Mark(const std::string& kind, double stamp_s);
 
+  // Makes one of stretches of that kind that overlap or are less than 2 s apart, in whatever order
+  // their scans were marked.
+  void MergeStretches(const std::string& kind);
+
   const std::map<std::string, Finding>& findings() const { return findings_; }
-  // In the order in which they were marked.
+  // In the order in which they were marked, or of time once merged.
   const std::map<std::string, std::vector<Stretch>>& stretches() const { return stretches_; }
 
   // For the end of a run: a warning of one line for each kind with more than one finding, and for

@@ -212,7 +212,10 @@ void ImprovedGmapping::ReportPieces(const std::vector<bool>& is_drawn) {
                    "a piece of " + std::to_string(end - first) +
                        " scans was never joined with the map: it is not drawn, and where the robot "
                        "was then is not known");
-    for (int k = first; k < end; ++k) health_.Mark("lost", archive_.StampOf(k));
+    for (int k = first; k < end; ++k) {
+      if (!is_lost_[k]) health_.Mark("lost", archive_.StampOf(k));  // the others are marked
+    }
+    health_.MergeStretches("lost");
   }
 }
 

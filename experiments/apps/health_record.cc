@@ -31,6 +31,12 @@ constexpr CountMeaning kMeanings[] = {
     {"assumed_field_of_view",
      "scans do not tell their field of view: the usual one of their number of beams was taken "
      "(--fov_deg overrides)"},
+    {"max_range_readings",
+     "readings are the longest of the log, which occurs again and again: the maximum range of the "
+     "laser, taken for no return"},
+    {"beams_on_robot",
+     "readings are short and do not change while the robot turns: the robot itself, left out "
+     "(--range_min_m leaves out more)"},
     {"laser_pose_used",
      "scans have the mounting of the laser that the laser poses of the records agree on "
      "(--laser_pose overrides)"},

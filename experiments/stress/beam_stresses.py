@@ -42,6 +42,24 @@ def range5_6(log, rng, size):
 
 
 @stress
+def unsaid_maximum(log, rng, size):
+    """a laser of 8 m, whose readings are 8.00 where nothing comes back, and no record says so"""
+    for scan in log.scans():
+        scan.ranges_m[scan.ranges_m > 8.0 * size] = 8.0 * size
+        if scan.beams:
+            scan.beams[4] = "0"
+
+
+@stress
+def robot_parts(log, rng, size):
+    """ten of each 45 beams end at 0.4 m, on parts of the robot, with noise of 0.01 m"""
+    for scan in log.scans():
+        on_robot = np.arange(len(scan.ranges_m)) % 45 < 10 * size
+        part_m = 0.4 + 0.01 * rng.standard_normal(np.count_nonzero(on_robot))
+        scan.ranges_m[on_robot] = np.round(part_m, 2)
+
+
+@stress
 def range_noise(log, rng, size):
     """ranges have noise of 0.05 m"""
     for scan in log.scans():

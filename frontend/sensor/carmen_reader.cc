@@ -49,10 +49,12 @@ std::optional<LogRecord> CarmenReader::Next() {
     }
   }
   if (num_scans_ == 0) {
-    throw std::runtime_error(name_ + ": no laser scans found (" + std::to_string(num_lines_) +
-                             " lines, " + std::to_string(num_unknown_) + " records unknown, " +
-                             std::to_string(num_malformed_) + " malformed" +
-                             (num_malformed_ > 0 ? ", the first: " + first_malformed_ : "") + ")");
+    throw std::runtime_error(
+        name_ + ": no laser scans found (" + std::to_string(num_lines_) + " lines, " +
+        std::to_string(num_unknown_) + " records unknown, " + std::to_string(num_ignored_) +
+        " of kinds that are not read, " + std::to_string(num_malformed_) + " malformed" +
+        (num_malformed_ > 0 ? ", the first: " + first_malformed_ : "") + ")" +
+        (num_lines_ == 1 ? "; is it text with a line feed after each record?" : ""));
   }
   return std::nullopt;
 }

@@ -4,10 +4,14 @@
 #include <numbers>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
+#include "frontend/sensor/beam_filter.h"
 #include "frontend/sensor/carmen_reader.h"
 #include "frontend/sensor/laser_mounting.h"
 #include "frontend/sensor/log_validator.h"
+#include "frontend/sensor/max_range_filter.h"
+#include "frontend/sensor/robot_beam_filter.h"
 #include "frontend/sensor/time_ordered_reader.h"
 
 namespace gmapping_spa::sensor {
@@ -39,7 +43,11 @@ std::unique_ptr<LogReader> OpenCarmenLog(std::unique_ptr<std::istream> in, const
   CheckOptions(options);
   auto records = std::make_unique<CarmenReader>(std::move(in), name, options);
   auto mounted = std::make_unique<LaserMountingReader>(std::move(records));
-  TimeOrderedReader ordered(std::move(mounted), name, options);
+  std::vector<std::unique_ptr<BeamFilter>> filters;
+  filters.push_back(std::make_unique<MaxRangeFilter>());
+  filters.push_back(std::make_unique<RobotBeamFilter>());
+  auto filtered = std::make_unique<BeamFilterReader>(std::move(mounted), std::move(filters));
+  TimeOrderedReader ordered(std::move(filtered), name, options);
   return std::make_unique<LogValidator>(std::move(ordered), name, options);
 }
 

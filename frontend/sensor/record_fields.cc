@@ -39,14 +39,17 @@ double RecordFields::BoundedNumber(const char* what, double limit) {
   const std::string_view before = rest_;
   const double value = Number(what);
   if (!(std::abs(value) <= limit)) {
-    Fail("a finite " + std::string(what), RecordFields(before).TryWord());
+    const std::string of_size =
+        std::isfinite(value) ? " of at most " + backend::ShortestText(limit) : std::string();
+    Fail((of_size.empty() ? "a finite " : "") + std::string(what) + of_size,
+         RecordFields(before).TryWord());
   }
   return value;
 }
 
 double RecordFields::FiniteNumber(const char* what) { return BoundedNumber(what, kMaxMagnitude); }
 
-double RecordFields::Stamp() { return BoundedNumber("ipc time stamp", kMaxStamp); }
+double RecordFields::Stamp() { return BoundedNumber("ipc time stamp in s", kMaxStamp); }
 
 backend::SE2 RecordFields::Pose(const char* what) {
   const double x = FiniteNumber(what), y = FiniteNumber(what), theta = FiniteNumber(what);

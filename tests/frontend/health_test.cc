@@ -72,6 +72,24 @@ TEST(Health, KindsHaveStretchesOfTheirOwnAndAClockSetBackStartsOne) {
   EXPECT_EQ(lost[1].begin_s, 10.0);
 }
 
+TEST(Health, MergesStretchesThatWereMarkedApartAndOverlap) {
+  Health health;
+  for (const double stamp_s : {29.8, 31.0, 50.0, 10.0, 30.0, 30.5, 32.5}) {
+    health.Mark("lost", stamp_s);
+  }
+  health.Mark("ambiguous", 1.0);
+  health.MergeStretches("lost");
+  health.MergeStretches("never marked");
+  const std::vector<Stretch>& lost = health.stretches().at("lost");
+  ASSERT_EQ(lost.size(), 3u);
+  EXPECT_EQ(lost[0].begin_s, 10.0);
+  EXPECT_EQ(lost[1].begin_s, 29.8);
+  EXPECT_EQ(lost[1].end_s, 32.5);
+  EXPECT_EQ(lost[1].scans, 5);
+  EXPECT_EQ(lost[2].begin_s, 50.0);
+  EXPECT_EQ(health.stretches().size(), 2u);
+}
+
 TEST(Health, SummaryHasALineForEachKindThatCameMoreThanOnce) {
   Health health;
   health.Report("once", 1.0, "only this time");

@@ -43,6 +43,18 @@ class BeamStressesTest(stress_test_case.StressTestCase):
         carmen.write(self.before, self.file)
         self.assertEqual(set(self.ranges(self.stressed("range8"))[0, 150:180]), {30.0})
 
+    def test_a_maximum_range_that_is_not_said_is_a_reading(self):
+        ranges = self.ranges(self.stressed("unsaid_maximum"))
+        np.testing.assert_array_equal(ranges, np.minimum(self.true, 8.0))
+
+    def test_parts_of_the_robot_are_where_they_are_in_every_scan(self):
+        log = self.stressed("robot_parts")
+        self.assert_odometry_untouched(log)
+        ranges = self.ranges(log)
+        on_robot = np.arange(ranges.shape[1]) % 45 < 10
+        np.testing.assert_array_equal(ranges[:, ~on_robot], self.true[:, ~on_robot])
+        np.testing.assert_allclose(ranges[:, on_robot], 0.4, atol=0.06)
+
     def test_noise_leaves_no_returns_alone(self):
         error = self.ranges(self.stressed("range_noise")) - self.true
         np.testing.assert_array_equal(error[:, -1], 0.0)

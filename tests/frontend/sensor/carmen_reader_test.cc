@@ -223,9 +223,9 @@ INSTANTIATE_TEST_SUITE_P(
         {"FLASER 2 1 2 0 0 0 0 0 0", "ipc time stamp, found the end of the line"},
         {"FLASER 2 1 2 0 0 0 nan 0 0 7.5 h 0", "a finite robot pose, found 'nan'"},
         {"FLASER 2 1 2 0 0 0 0 inf 0 7.5 h 0", "a finite robot pose, found 'inf'"},
-        {"FLASER 2 1 2 0 0 0 0 0 1e300 7.5 h 0", "a finite robot pose, found '1e300'"},
-        {"FLASER 2 1 2 0 0 0 0 0 0 nan h 0", "a finite ipc time stamp, found 'nan'"},
-        {"FLASER 2 1 2 0 0 0 0 0 0 1e13 h 0", "a finite ipc time stamp, found '1e13'"},
+        {"FLASER 2 1 2 0 0 0 0 0 1e300 7.5 h 0", "robot pose of at most 1e+09, found '1e300'"},
+        {"FLASER 2 1 2 0 0 0 0 0 0 nan h 0", "a finite ipc time stamp in s, found 'nan'"},
+        {"FLASER 2 1 2 0 0 0 0 0 0 1e13 h 0", "ipc time stamp in s of at most 1e+12, found '1e13'"},
         {"FLASER 2 1 \x01\xff\x80 0 0 0 0 0 0 7.5 h 0", "ranges, found '\?\?\?'"},
         {"ODOM 0 0 nan 0 0 0 7.5 h 0", "a finite robot pose, found 'nan'"},
         {"ODOM 0 0 0 0 0 0", "ipc time stamp, found the end of the line"},
@@ -249,12 +249,13 @@ TEST(CarmenReader, RecordCutOffByTheEndOfTheFileIsMalformed) {
 }
 
 TEST(CarmenReader, LogWithoutScansIsAnErrorThatTellsWhatThereWas) {
-  EXPECT_THAT([] { Read(""); },
-              ThrowsMessage<std::runtime_error>(
-                  "log.clf: no laser scans found (0 lines, 0 records unknown, 0 malformed)"));
+  EXPECT_THAT([] { Read(""); }, ThrowsMessage<std::runtime_error>(
+                                    "log.clf: no laser scans found (0 lines, 0 records unknown, 0 "
+                                    "of kinds that are not read, 0 malformed)"));
   EXPECT_THAT([] { Read("ODOM 1 2 0 0 0 0 42 nohost 1\nhello\nFLASER 0\n"); },
               ThrowsMessage<std::runtime_error>(
-                  "log.clf: no laser scans found (3 lines, 1 records unknown, 1 malformed, the "
+                  "log.clf: no laser scans found (3 lines, 1 records unknown, 0 of kinds that are "
+                  "not read, 1 malformed, the "
                   "first: log.clf:3: expected laser pose, found the end of the line)"));
 }
 
