@@ -57,6 +57,13 @@ Explanation Explain(const map::OccupancyGrid& map, const scan_matching::ScanPoin
   return explanation;
 }
 
+// Who drifted by more than this does not fit the old map any more where the estimate says: there 10
+// to 80 % of what true closures explain is explained on recorded logs, and more than 95 % where a
+// building repeats itself and nothing has drifted.
+constexpr double kElsewhere_m = 0.5;
+constexpr double kFitsAsWell = 0.9;
+constexpr double kLeastKnownPart = 0.1;
+
 // Within which a pose that was predicted and not found is taken to be right.
 constexpr double kPredicted_m = 0.3;
 
@@ -125,10 +132,37 @@ ClosureRecord Verifier::Verify(const std::vector<SE2>& world_T_nodes,
   if (record.verdict != Verdict::kUnconfirmed) return record;
   if (record.mahalanobis_sq > options_.max_mahalanobis_sq) {
     record.verdict = Verdict::kMahalanobis;
+  } else if (FitsAtEstimate(world_T_nodes, scan_of_node, expectation.old_T_node, record)) {
+    record.verdict = Verdict::kAmbiguous;
   } else if (expectation.window.linear_m > kSmallWindow_m) {
     AskOldScans(world_T_nodes, scan_of_node, expectation, &record);
   }
   return record;
+}
+
+bool Verifier::FitsAtEstimate(const std::vector<SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
+                              const SE2& estimated_old_T_node, const ClosureRecord& record) const {
+  const auto moves = [](const SE2& from, const SE2& to) {
+    return Between(from, to).translation().norm();
+  };
+  if (moves(estimated_old_T_node, record.old_T_node) < kElsewhere_m) return false;
+  const NodeRange old_nodes = NodesAround(world_T_nodes, record.old_node, options_.old_reach_m);
+  const NodeRange new_nodes = NodesAround(world_T_nodes, record.node, options_.new_reach_m);
+  const scan_matching::ScanPoints points =
+      JoinScans(world_T_nodes, scan_of_node, new_nodes, record.node, options_.cell_m);
+  const map::OccupancyGrid map =
+      BuildLocalMap(world_T_nodes, scan_of_node, old_nodes, record.old_node, options_.grid);
+  const SE2 near =
+      gauss_newton_
+          .Align(map, points, estimated_old_T_node, scan_matching::GaussNewton::WeakPrior())
+          .world_T_robot;
+  if (moves(near, record.old_T_node) < kElsewhere_m) return false;
+  const auto explain = [&](const SE2& old_T_node) {
+    return Explain(map, points, old_T_node, options_.grid.occupied_threshold, 1);
+  };
+  const Explanation found = explain(record.old_T_node), estimate = explain(near);
+  return estimate.known >= kLeastKnownPart * static_cast<double>(points.size()) &&
+         estimate.part() >= kFitsAsWell * found.part();
 }
 
 ClosureRecord Verifier::VerifyAt(const std::vector<SE2>& world_T_nodes,

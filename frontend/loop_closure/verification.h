@@ -73,6 +73,12 @@ class Verifier {
   // verdict.
   void AskOldScans(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
                    const Expectation& expectation, ClosureRecord* record) const;
+  // Whether the scans around the node fit the old map about as well where the estimate has them as
+  // where the closure has them, elsewhere: then the building repeats itself, and nothing says that
+  // the estimate is wrong.
+  bool FitsAtEstimate(const std::vector<backend::SE2>& world_T_nodes,
+                      const ScanOfNode& scan_of_node, const backend::SE2& estimated_old_T_node,
+                      const ClosureRecord& record) const;
   scan_matching::CorrelativeMatcher::Options SearchOptions(
       const scan_matching::SearchWindow& window) const;
 

@@ -149,6 +149,35 @@ TEST_F(Verification, ACorridorWithoutFeaturesIsAmbiguous) {
   EXPECT_GT(record.runner_up_score, 0.9 * record.score);
 }
 
+// A hall on pillars 5 m apart looks the same from bay to bay.
+TEST_F(Verification, WhereTheBuildingRepeatsItselfAnEstimateThatFitsIsNotMoved) {
+  synthetic::Walls pillars;
+  for (int i = -2; i <= 5; ++i) {
+    for (int j = -2; j <= 3; ++j) {
+      const double x = 5.0 * i + 2.5, y = 5.0 * j + 2.5;
+      synthetic::AddPolygon({{x, y}, {x + 0.4, y}, {x + 0.4, y + 0.4}, {x, y + 0.4}}, 0.0,
+                            &pillars);
+    }
+  }
+  std::vector<SE2> first, second;
+  for (int k = 0; k <= 10; ++k) {
+    first.push_back({1.0 * k, 0, 0});
+    second.push_back({1.0 * k + 5.0, 0, 0});
+  }
+  Verifier::Options options;
+  options.max_runner_up_score = 1.01;  // else that one may see it, too
+  const synthetic::Laser all_round{
+      .beams = 361, .field_of_view_rad = 2 * std::numbers::pi, .usable_range_m = 12.0};
+  Drive(first, second, {}, pillars, all_round);
+  const ClosureRecord right = Verify(5, 11 + 5, 300.0, options);
+  // Where a bay less is between them the more is seen in common.
+  ASSERT_GT(Between(right.old_T_node, Between(truth_[5], truth_[16])).translation().norm(), 4.0);
+  EXPECT_EQ(right.verdict, Verdict::kAmbiguous) << VerdictName(right.verdict);
+  // An estimate that fits nowhere is no argument against a place that does.
+  Drive(first, second, {1.2, 0.9, 0.0}, pillars, all_round);
+  EXPECT_EQ(Verify(5, 11 + 5, 300.0, options).verdict, Verdict::kUnconfirmed);
+}
+
 TEST_F(Verification, RefusesAnotherPlaceThatIsTakenForTheOldOne) {
   // The second pass is on another side of the Ring, but the estimate puts it onto the first.
   const std::vector<SE2> first = synthetic::DriveOnRing(0, 10, 1.0);

@@ -52,10 +52,12 @@ TEST(RecordFields, NumberThatNoDoubleHoldsIsNan) {
 }
 
 TEST(RecordFields, CoordinatesAndStampsMustBeFiniteAndOfSaneSize) {
-  for (const char* word : {"nan", "inf", "-inf", "1e999", "1e10"}) {
+  for (const char* word : {"nan", "inf", "-inf", "1e999"}) {
     EXPECT_THAT(ComplaintOf([&] { RecordFields(word).FiniteNumber("x"); }), HasSubstr("a finite x"))
         << word;
   }
+  EXPECT_THAT(ComplaintOf([&] { RecordFields("1e10").FiniteNumber("x"); }),
+              HasSubstr("x of at most 1e+09"));
   EXPECT_EQ(RecordFields("1e10").Stamp(), 1e10);
   EXPECT_THROW(RecordFields("1e13").Stamp(), MalformedRecord);
 }
