@@ -1,11 +1,19 @@
 #include "backend/initialization/initialization.h"
 
-#include <stdexcept>
-
+#include "backend/enum_names.h"
 #include "backend/initialization/chordal_initialization.h"
 #include "backend/initialization/initial_guess.h"
 
 namespace gmapping_spa::backend {
+namespace {
+
+constexpr EnumName<Initialization> kNames[] = {{"auto", Initialization::kAuto},
+                                               {"keep", Initialization::kKeep},
+                                               {"odometry", Initialization::kOdometry},
+                                               {"spanning_tree", Initialization::kSpanningTree},
+                                               {"chordal", Initialization::kChordal}};
+
+}  // namespace
 
 std::optional<std::vector<SE2>> InitialPoses(Initialization initialization,
                                              const PoseGraphView& graph, const GraphIndex& index) {
@@ -31,30 +39,11 @@ std::optional<std::vector<SE2>> InitialPoses(Initialization initialization,
 }
 
 const char* InitializationName(Initialization initialization) {
-  switch (initialization) {
-    case Initialization::kAuto:
-      return "auto";
-    case Initialization::kKeep:
-      return "keep";
-    case Initialization::kOdometry:
-      return "odometry";
-    case Initialization::kSpanningTree:
-      return "spanning_tree";
-    case Initialization::kChordal:
-      return "chordal";
-  }
-  return "unknown";
+  return NameOf(kNames, initialization);
 }
 
 Initialization InitializationFromName(const std::string& name) {
-  for (const auto initialization :
-       {Initialization::kAuto, Initialization::kKeep, Initialization::kOdometry,
-        Initialization::kSpanningTree, Initialization::kChordal}) {
-    if (name == InitializationName(initialization)) return initialization;
-  }
-  throw std::runtime_error(
-      "expected an initialization out of auto, keep, odometry, spanning_tree, chordal, got '" +
-      name + "'");
+  return FromName(kNames, name, "an initialization");
 }
 
 }  // namespace gmapping_spa::backend

@@ -2,7 +2,16 @@
 
 #include <stdexcept>
 
+#include "backend/enum_names.h"
+
 namespace gmapping_spa::backend {
+namespace {
+
+constexpr EnumName<Termination> kNames[] = {{"converged", Termination::kConverged},
+                                            {"no_convergence", Termination::kNoConvergence},
+                                            {"failure", Termination::kFailure}};
+
+}  // namespace
 
 bool KeepsStart(const Options& options) {
   if (options.initialization == Initialization::kAuto) return false;
@@ -20,16 +29,6 @@ std::chrono::steady_clock::time_point DeadlineOf(const Options& options) {
   return Clock::now() + std::chrono::duration_cast<Clock::duration>(time);
 }
 
-const char* TerminationName(Termination termination) {
-  switch (termination) {
-    case Termination::kConverged:
-      return "converged";
-    case Termination::kNoConvergence:
-      return "no_convergence";
-    case Termination::kFailure:
-      return "failure";
-  }
-  return "unknown";
-}
+const char* TerminationName(Termination termination) { return NameOf(kNames, termination); }
 
 }  // namespace gmapping_spa::backend

@@ -1,23 +1,16 @@
 #include "backend/plugin/settings.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
+#include "backend/text.h"
+
 namespace gmapping_spa::backend {
 namespace {
-
-// The whole text as a number; NaN when it is none.
-template <typename Value>
-double Parse(const std::string& text) {
-  Value value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole ? static_cast<double>(value) : std::numeric_limits<double>::quiet_NaN();
-}
 
 std::vector<std::string> ChoicesOf(const SettingDescription& description) {
   std::vector<std::string> choices;
@@ -26,16 +19,18 @@ std::vector<std::string> ChoicesOf(const SettingDescription& description) {
   return choices;
 }
 
-bool IsInRange(double value, const SettingDescription& description) {
-  return std::isfinite(value) && value >= description.minimum && value <= description.maximum;
+template <typename Number>
+bool IsInRange(const std::string& value, const SettingDescription& description) {
+  const std::optional<Number> number = ParseFinite<Number>(value);
+  return number && *number >= description.minimum && *number <= description.maximum;
 }
 
 bool Fits(const std::string& value, const SettingDescription& description) {
   switch (description.type) {
     case GMAPPING_SPA_SETTING_NUMBER:
-      return IsInRange(Parse<double>(value), description);
+      return IsInRange<double>(value, description);
     case GMAPPING_SPA_SETTING_INTEGER:
-      return IsInRange(Parse<int>(value), description);
+      return IsInRange<int>(value, description);
     case GMAPPING_SPA_SETTING_BOOLEAN:
       return value == "true" || value == "false";
     case GMAPPING_SPA_SETTING_CHOICE: {
@@ -92,11 +87,11 @@ const std::string& Settings::ValueOf(const std::string& name, GmappingSpaSetting
 }
 
 double Settings::Number(const std::string& name) const {
-  return Parse<double>(ValueOf(name, GMAPPING_SPA_SETTING_NUMBER));
+  return ParseFinite<double>(ValueOf(name, GMAPPING_SPA_SETTING_NUMBER)).value();
 }
 
 int Settings::Integer(const std::string& name) const {
-  return static_cast<int>(Parse<int>(ValueOf(name, GMAPPING_SPA_SETTING_INTEGER)));
+  return ParseFinite<int>(ValueOf(name, GMAPPING_SPA_SETTING_INTEGER)).value();
 }
 
 bool Settings::Boolean(const std::string& name) const {

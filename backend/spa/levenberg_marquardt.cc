@@ -31,9 +31,7 @@ void AddStep(const BlockStructure& structure, const std::vector<BlockVector<3>>&
              std::vector<SE2>* poses) {
   for (int k = 0; k < structure.columns(); ++k) {
     SE2& pose = (*poses)[structure.node_of_column[k]];
-    pose.x += step[k].x();
-    pose.y += step[k].y();
-    pose.theta = backend::WrapAngle(pose.theta + step[k].z());
+    pose = Plus(pose, step[k]);
   }
 }
 

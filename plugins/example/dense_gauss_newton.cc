@@ -71,10 +71,7 @@ class DenseGaussNewton : public gmapping_spa::backend::Optimizer {
     for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
       const Eigen::VectorXd step = GaussNewtonStep(graph, index, poses, options);
       for (std::size_t k = 0; k < poses.size(); ++k) {
-        const Eigen::Index at = 3 * static_cast<Eigen::Index>(k);
-        poses[k].x += step[at];
-        poses[k].y += step[at + 1];
-        poses[k].theta = gmapping_spa::backend::WrapAngle(poses[k].theta + step[at + 2]);
+        poses[k] = Plus(poses[k], step.segment<3>(3 * static_cast<Eigen::Index>(k)));
       }
       const double cost = GraphCost(graph, index, poses, options.loss);
       summary.iterations.push_back({.cost = cost, .step_norm = step.norm()});
