@@ -56,24 +56,28 @@ const SettingDescription* Find(std::span<const SettingDescription> descriptions,
   return found == descriptions.end() ? nullptr : &*found;
 }
 
+void Check(std::span<const SettingDescription> descriptions, const std::string& name,
+           const std::string& value) {
+  const SettingDescription* const description = Find(descriptions, name);
+  if (description == nullptr) {
+    std::vector<std::string> names;
+    names.reserve(descriptions.size());
+    for (const SettingDescription& known : descriptions) names.emplace_back(known.name);
+    throw std::runtime_error("unknown setting " + name + ": expected " +
+                             (names.empty() ? "no settings" : "one of " + Join(names)));
+  }
+  if (!Fits(value, *description)) {
+    throw std::runtime_error("setting " + name + ": expected " + RangeOf(*description) + ", got '" +
+                             value + "'");
+  }
+}
+
 }  // namespace
 
 Settings::Settings(std::span<const SettingDescription> descriptions,
                    const std::map<std::string, std::string>& given)
     : descriptions_(descriptions), values_(given) {
-  for (const auto& [name, value] : given) {
-    const SettingDescription* const description = Find(descriptions, name);
-    if (description == nullptr) {
-      std::vector<std::string> names;
-      for (const SettingDescription& known : descriptions) names.emplace_back(known.name);
-      throw std::runtime_error("unknown setting " + name + ": expected " +
-                               (names.empty() ? "no settings" : "one of " + Join(names)));
-    }
-    if (!Fits(value, *description)) {
-      throw std::runtime_error("setting " + name + ": expected " + RangeOf(*description) +
-                               ", got '" + value + "'");
-    }
-  }
+  for (const auto& [name, value] : given) Check(descriptions, name, value);
   for (const SettingDescription& one : descriptions)
     values_.try_emplace(one.name, one.default_value);
 }
