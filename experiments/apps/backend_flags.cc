@@ -1,7 +1,9 @@
 #include "experiments/apps/backend_flags.h"
 
 #include <gflags/gflags.h>
+#include <glog/logging.h>
 
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -76,14 +78,31 @@ DEFINE_int32(ceres_threads, 1, "Number of threads of ceres, from 1.");
 namespace gmapping_spa::apps {
 namespace {
 
-// Adds the --<backend>_<setting> flags that differ from their defaults.
-void AddFlagsOfBackend(backend::Options* options) {
-  const std::string prefix = FLAGS_backend + "_";
+// The --<backend>_<setting> flags of this file that differ from their defaults, by name.
+std::map<std::string, std::string> SettingFlags() {
+  std::map<std::string, std::string> values;
   std::vector<gflags::CommandLineFlagInfo> flags;
   gflags::GetAllFlags(&flags);
   for (const gflags::CommandLineFlagInfo& flag : flags) {
-    if (flag.filename != __FILE__ || flag.is_default || !flag.name.starts_with(prefix)) continue;
-    options->settings[flag.name.substr(prefix.size())] = flag.current_value;
+    const bool is_setting = flag.name.starts_with("spa_") || flag.name.starts_with("ceres_");
+    if (is_setting && flag.filename == __FILE__ && !flag.is_default) {
+      values[flag.name] = flag.current_value;
+    }
+  }
+  return values;
+}
+
+void AddFlagsOfBackend(backend::Options* options) {
+  const std::string prefix = FLAGS_backend + "_";
+  for (const auto& [name, value] : SettingFlags()) {
+    if (name.starts_with(prefix)) options->settings[name.substr(prefix.size())] = value;
+  }
+}
+
+void WarnOfFlagsWithoutEffect() {
+  for (const auto& [name, value] : SettingFlags()) {
+    if (name.starts_with(FLAGS_backend + "_")) continue;
+    LOG(WARNING) << "--" << name << " has no effect with --backend=" << FLAGS_backend;
   }
 }
 
@@ -107,6 +126,7 @@ bool GncFromFlags() { return FLAGS_gnc; }
 std::unique_ptr<backend::Optimizer> LoadOptimizerFromFlags() {
   std::unique_ptr<backend::Optimizer> optimizer = backend::LoadOptimizer(FLAGS_backend);
   optimizer->CheckOptions(OptionsFromFlags());
+  WarnOfFlagsWithoutEffect();
   return optimizer;
 }
 

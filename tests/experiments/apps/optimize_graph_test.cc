@@ -96,6 +96,7 @@ TEST_F(OptimizeGraph, PassesTheSettingsOfTheBackEnd) {
   EXPECT_EQ(json["settings"],
             (nlohmann::json{{"max_nonmonotonic_steps", "3"}, {"damping", "0.5"}}));
   EXPECT_EQ(json["loss"], "truncated");
+  EXPECT_THAT(result.err, HasSubstr("--ceres_threads has no effect with --backend=spa"));
 }
 
 TEST_F(OptimizeGraph, ListsBackEnds) {
