@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "backend/scheduling/optimize.h"
+
 namespace gmapping_spa::frontend {
 namespace {
 
@@ -63,6 +65,11 @@ std::optional<backend::PoseGraph> GraphThread::Take(double wait_s) {
     return std::nullopt;
   }
   ++counts_.taken;
+  rejected_closures_.clear();
+  for (const std::size_t k : backend::RejectedClosures(result->graph.edges, result->summary)) {
+    const backend::Edge& edge = result->graph.edges[k];
+    rejected_closures_.push_back({edge.i, edge.j, result->summary.edge_weights[k]});
+  }
   return std::move(result->graph);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "backend/scheduling/optimization_thread.h"
 
@@ -51,6 +52,13 @@ class GraphThread {
   // Starts and finishes. Nothing when the back end is still busy with another snapshot.
   std::optional<backend::PoseGraph> Run(backend::PoseGraph snapshot);
 
+  // The loop closures that the last result rejects, with their weights: see backend::Summary.
+  struct RejectedClosure {
+    std::int64_t i = 0, j = 0;  // ids of the nodes
+    double weight = 0.0;
+  };
+  const std::vector<RejectedClosure>& rejected_closures() const { return rejected_closures_; }
+
   const Counts& counts() const { return counts_; }
 
  private:
@@ -61,6 +69,7 @@ class GraphThread {
   backend::OptimizationThread thread_;
   int scans_since_start_ = 0;
   bool late_ = false;
+  std::vector<RejectedClosure> rejected_closures_;
   Counts counts_;
 };
 

@@ -219,6 +219,14 @@ void ImprovedGmapping::ReportPieces(const std::vector<bool>& is_drawn) {
   }
 }
 
+void ImprovedGmapping::ReportRejectedClosures() {
+  for (const auto& [i, j, weight] : graph_thread_.rejected_closures()) {
+    health_.Report("closure_rejected_by_back_end", archive_.StampOf(node_scans_[std::max(i, j)]),
+                   "the back end rejects the loop closure between nodes " + std::to_string(i) +
+                       " and " + std::to_string(j) + ": the other edges contradict it");
+  }
+}
+
 void ImprovedGmapping::EmitPath(backend::PoseGraphSink* sink) const {
   for (const TrajectoryTree::Vertex& vertex : filter_.Path(filter_.BestParticle())) {
     sink->AddNode({.id = vertex.step,
@@ -263,6 +271,7 @@ SlamResult ImprovedGmapping::Finish() {
   const loop_closure::Pieces& pieces = loop_closer_.pieces();
   if (!options_.make_final_optimization) {
     ReportPieces(is_drawn_);
+    ReportRejectedClosures();
     return CurrentResult();
   }
   FinalOptimization final_optimization(
@@ -280,6 +289,7 @@ SlamResult ImprovedGmapping::Finish() {
   EmitPath(&path);
   SlamResult estimate = final_optimization.Finish(path.graph());
   ReportPieces(pieces.Largest(nodes, loop_closer_.closures()));
+  ReportRejectedClosures();
   return estimate;
 }
 

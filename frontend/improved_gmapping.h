@@ -106,6 +106,7 @@ class ImprovedGmapping {
   void UpdateFilter(const sensor::LaserScan& scan,
                     const std::vector<particle_filter::ParticleFilter::Control>& controls);
   sensor::LaserScan DrawnScanOfNode(int node) const;
+  void ReportRejectedClosures();
   void ReportPieces(const std::vector<bool>& is_drawn);
   bool CloseLoops();
   void StartOptimization();

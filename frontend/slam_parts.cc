@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include "backend/scheduling/graduated_non_convexity.h"
-#include "backend/scheduling/optimize_safely.h"
+#include "backend/scheduling/optimize.h"
 #include "frontend/scan_matching/gauss_newton_matcher.h"
 #include "frontend/scan_matching/hill_climbing.h"
 
@@ -186,12 +185,9 @@ std::shared_ptr<const scan_matching::ScanMatcher> MakeScanMatcher(const SlamOpti
 
 backend::OptimizationThread::OptimizeFunction BindOptimizer(
     const SlamOptions& options, std::shared_ptr<backend::Optimizer> optimizer) {
-  const bool gradually =
-      options.optimizer.loss.kind == backend::LossKind::kTruncated && options.gnc;
-  return [gradually, how = options.optimizer,
+  return [graduated = options.gnc, how = options.optimizer,
           optimizer = std::move(optimizer)](backend::PoseGraph* graph) {
-    return gradually ? backend::OptimizeGradually(how, optimizer.get(), graph)
-                     : backend::OptimizeSafely(how, optimizer.get(), graph);
+    return backend::Optimize(how, graduated, optimizer.get(), graph);
   };
 }
 

@@ -31,6 +31,18 @@ double GraphCost(const PoseGraphView& graph, const GraphIndex& index, const std:
   return SumCost(graph, index, loss, [&](int node) -> const SE2& { return poses[node]; });
 }
 
+std::vector<double> SquaredErrors(const PoseGraphView& graph, const GraphIndex& index,
+                                  const std::vector<SE2>& poses) {
+  std::vector<double> squared(graph.edges.size());
+  for (std::size_t k = 0; k < squared.size(); ++k) {
+    const Edge& edge = graph.edges[k];
+    const Eigen::Vector3d error =
+        EdgeError(poses[index.edges[k].i], poses[index.edges[k].j], edge.i_T_j);
+    squared[k] = error.dot(edge.information * error);
+  }
+  return squared;
+}
+
 double GraphCost(const PoseGraphView& graph, const Loss& loss) {
   return GraphCost(graph, IndexGraph(graph), loss);
 }

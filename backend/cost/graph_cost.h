@@ -18,6 +18,10 @@ double GraphCost(const PoseGraphView& graph, const GraphIndex& index, const Loss
 double GraphCost(const PoseGraphView& graph, const GraphIndex& index, const std::vector<SE2>& poses,
                  const Loss& loss = {});
 
+// The squared errors e' Omega e, one for each edge, with these poses, one for each node.
+std::vector<double> SquaredErrors(const PoseGraphView& graph, const GraphIndex& index,
+                                  const std::vector<SE2>& poses);
+
 // The first one for a graph without an index; throws like IndexGraph.
 double GraphCost(const PoseGraphView& graph, const Loss& loss = {});
 

@@ -1,17 +1,17 @@
 #include "backend/cost/robust_loss.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "backend/enum_names.h"
 
 namespace gmapping_spa::backend {
 namespace {
 
-constexpr EnumName<LossKind> kNames[] = {{"none", LossKind::kNone},
-                                         {"huber", LossKind::kHuber},
-                                         {"cauchy", LossKind::kCauchy},
-                                         {"dcs", LossKind::kDcs},
-                                         {"truncated", LossKind::kTruncated}};
+constexpr EnumName<LossKind> kNames[] = {
+    {"none", LossKind::kNone},           {"huber", LossKind::kHuber},
+    {"cauchy", LossKind::kCauchy},       {"dcs", LossKind::kDcs},
+    {"truncated", LossKind::kTruncated}, {"mixture", LossKind::kMixture}};
 
 LossValue EvaluateTruncated(double k2, double mu, double s) {
   if (std::isinf(mu)) return s <= k2 ? LossValue{s, 1.0} : LossValue{k2, 0.0};
@@ -42,6 +42,8 @@ LossValue EvaluateLoss(const Loss& loss, double s) {
     }
     case LossKind::kTruncated:
       return EvaluateTruncated(k2, loss.control, s);
+    case LossKind::kMixture:
+      throw std::logic_error("the loss mixture is none of a single edge");
   }
   return {s, 1.0};
 }

@@ -8,7 +8,7 @@
 
 namespace gmapping_spa::backend {
 
-enum class LossKind : std::uint8_t { kNone, kHuber, kCauchy, kDcs, kTruncated };
+enum class LossKind : std::uint8_t { kNone, kHuber, kCauchy, kDcs, kTruncated, kMixture };
 
 // A loss rho(s) of the squared error s = e' Omega e of an edge; its cost is rho(s) / 2.
 struct Loss {
@@ -34,9 +34,11 @@ struct LossValue {
 //   kDcs        s up to k^2, then 4 k^2 s / (k^2 + s) - k^2: dynamic covariance scaling (Agarwal et
 //               al. 2013, Phi = k^2), in the closed form of MacTavish and Barfoot 2015
 //   kTruncated  min(s, k^2), or its surrogate for a finite control (Yang et al. 2020, eq. (7))
+// Throws std::logic_error for kMixture, which is no function of one edge (see OptimizeRobustly).
 LossValue EvaluateLoss(const Loss& loss, double s);
 
-// Names as used on command lines: none, huber, cauchy, dcs, truncated. LossKindFromName throws
+// Names as used on command lines: none, huber, cauchy, dcs, truncated,
+// mixture. LossKindFromName throws
 // std::runtime_error with one line that lists them.
 const char* LossKindName(LossKind kind);
 LossKind LossKindFromName(const std::string& name);

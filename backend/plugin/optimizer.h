@@ -52,6 +52,10 @@ struct Summary {
   double initial_cost = 0.0;  // of the poses that were given
   double final_cost = 0.0;    // of the poses that are returned
   std::vector<IterationRecord> iterations;
+  // Of Optimize (scheduling/optimize.h), not of a back end: for each edge, the inlier probability
+  // under LossKind::kMixture, the loss's weight else. An edge below 1/2 is rejected.
+  std::vector<double> edge_weights;
+  double variance_factor = 1.0;  // see ClosureMixture
 };
 
 // An optimizer may keep state between calls, such as an ordering or a symbolic factorization; it

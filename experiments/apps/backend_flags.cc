@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "backend/plugin/plugin_loader.h"
-#include "backend/scheduling/graduated_non_convexity.h"
-#include "backend/scheduling/optimize_safely.h"
+#include "backend/scheduling/optimize.h"
 
 namespace {
 const gmapping_spa::backend::Options kOptions;
@@ -31,12 +30,14 @@ DEFINE_double(cost_tolerance, kOptions.cost_tolerance,
 DEFINE_double(max_solver_time_s, 0.0,
               "Longest wall time of an optimization in s, from 0: then it ends with the best poses "
               "so far, which depend on the speed of the machine. 0: no limit.");
-DEFINE_string(loss, gmapping_spa::backend::LossKindName(kOptions.loss.kind),
-              "Robust loss of loop closures in the pose graph: none, huber, cauchy, dcs (dynamic "
+DEFINE_string(loss, "mixture",
+              "Robust loss of loop closures in the pose graph: mixture (a mixture of right and "
+              "wrong closures is fitted to their errors, and least squares of the right ones; none "
+              "where the back end has no dcs, which that needs), none, huber, cauchy, dcs (dynamic "
               "covariance scaling, Agarwal et al. 2013) or truncated (truncated least squares).");
 DEFINE_double(loss_scale, 3.0,
-              "Error of a loop closure in standard deviations, above 0, from which on the robust "
-              "loss (--loss) lowers its weight.");
+              "Error of a loop closure in standard deviations, above 0, from which on the losses "
+              "huber, cauchy, dcs and truncated lower its weight.");
 DEFINE_bool(gnc, true,
             "Approach --loss=truncated by graduated non-convexity (Yang et al. 2020): the loss "
             "starts convex. Without it, the truncated loss is there from the first iteration.");
@@ -106,6 +107,25 @@ void WarnOfFlagsWithoutEffect() {
   }
 }
 
+// The default loss is no reason for a back end that has no robust losses to be refused.
+void LeaveOutMixtureWhereUnsupported(const backend::Optimizer& optimizer) {
+  const backend::Options options = OptionsFromFlags();
+  if (options.loss.kind != backend::LossKind::kMixture ||
+      !gflags::GetCommandLineFlagInfoOrDie("loss").is_default) {
+    return;
+  }
+  try {
+    backend::CheckOptions(options, optimizer);
+  } catch (const std::runtime_error&) {
+    backend::Options plain = options;
+    plain.loss = {};
+    optimizer.CheckOptions(plain);  // throws when it is not the loss
+    gflags::SetCommandLineOptionWithMode("loss", "none", gflags::SET_FLAGS_DEFAULT);
+    LOG(WARNING) << "--backend=" << FLAGS_backend
+                 << " does not support the loss dcs, which --loss=mixture needs: --loss=none";
+  }
+}
+
 void AddBackendSettings(backend::Options* options) {
   std::istringstream words(FLAGS_backend_settings);
   for (std::string word; std::getline(words, word, ',');) {
@@ -125,7 +145,8 @@ bool GncFromFlags() { return FLAGS_gnc; }
 
 std::unique_ptr<backend::Optimizer> LoadOptimizerFromFlags() {
   std::unique_ptr<backend::Optimizer> optimizer = backend::LoadOptimizer(FLAGS_backend);
-  optimizer->CheckOptions(OptionsFromFlags());
+  LeaveOutMixtureWhereUnsupported(*optimizer);
+  backend::CheckOptions(OptionsFromFlags(), *optimizer);
   WarnOfFlagsWithoutEffect();
   return optimizer;
 }
@@ -148,10 +169,7 @@ backend::Options OptionsFromFlags() {
 
 backend::Summary OptimizeAsFlagsSay(backend::Optimizer* optimizer, backend::PoseGraph* graph) {
   const backend::Options options = OptionsFromFlags();
-  if (options.loss.kind == backend::LossKind::kTruncated && FLAGS_gnc) {
-    return backend::OptimizeGradually(options, optimizer, graph);
-  }
-  return backend::OptimizeSafely(options, optimizer, graph);
+  return backend::Optimize(options, FLAGS_gnc, optimizer, graph);
 }
 
 }  // namespace gmapping_spa::apps

@@ -16,15 +16,15 @@ std::string BackendFromFlags();
 bool GncFromFlags();
 
 // Loads the back end of --backend, and checks that it can do what the flags ask for; throws
-// std::runtime_error with one line.
+// std::runtime_error with one line. Where it does not support what the default loss needs, --loss
+// becomes none, with a warning: call this before the flags are read.
 std::unique_ptr<backend::Optimizer> LoadOptimizerFromFlags();
 
 // The options of --loss, --init, ..., with those --<backend>_<setting> flags that were set, and
 // with --backend_settings. Throws std::runtime_error with one line.
 backend::Options OptionsFromFlags();
 
-// Optimizes as the flags say, within backend::OptimizeSafely: under --loss=truncated by graduated
-// non-convexity unless --nognc.
+// Optimizes as the flags say, by backend::Optimize.
 backend::Summary OptimizeAsFlagsSay(backend::Optimizer* optimizer, backend::PoseGraph* graph);
 
 }  // namespace gmapping_spa::apps

@@ -81,7 +81,6 @@ void Run() {
 }  // namespace gmapping_spa::apps
 
 int main(int argc, char** argv) {
-  gmapping_spa::apps::SetSlamDefaults();
   return gmapping_spa::apps::RunApp(
       argc, argv,
       "makes a map and a trajectory from a sensor log.\n"

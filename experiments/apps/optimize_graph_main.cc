@@ -1,6 +1,7 @@
 // Optimizes a pose graph with any back end and prints the summary as JSON.
 #include <gflags/gflags.h>
 
+#include <algorithm>
 #include <ctime>
 #include <filesystem>
 #include <iomanip>
@@ -11,6 +12,7 @@
 
 #include "backend/graph/g2o_io.h"
 #include "backend/plugin/plugin_loader.h"
+#include "backend/scheduling/optimize.h"
 #include "experiments/apps/app.h"
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/graph_picture.h"
@@ -64,6 +66,13 @@ Json ToJson(const PoseGraph& graph, const Summary& summary, double cpu_s) {
                           {"linear_solver_s", record.linear_solver_s},
                           {"total_s", record.total_s}});
   }
+  Json rejected = Json::array();
+  const auto closures = std::ranges::count(graph.edges, backend::EdgeKind::kLoopClosure,
+                                           [](const backend::Edge& edge) { return edge.kind; });
+  for (const std::size_t k : backend::RejectedClosures(graph.edges, summary)) {
+    rejected.push_back(
+        {{"i", graph.edges[k].i}, {"j", graph.edges[k].j}, {"weight", summary.edge_weights[k]}});
+  }
   const backend::Options options = OptionsFromFlags();
   return {{"input", FLAGS_input},
           {"nodes", graph.nodes.size()},
@@ -77,6 +86,11 @@ Json ToJson(const PoseGraph& graph, const Summary& summary, double cpu_s) {
           {"message", summary.message},
           {"initial_cost", summary.initial_cost},
           {"final_cost", summary.final_cost},
+          {"loop_closures",
+           {{"count", closures},
+            {"rejected", rejected.size()},
+            {"variance_factor", summary.variance_factor},
+            {"rejected_edges", rejected}}},
           {"cpu_s", cpu_s},
           {"iterations", iterations},
           {"convention",

@@ -89,6 +89,10 @@ Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping
         {"registration_s", filter_times.registration_s},
         {"resampling_s", filter_times.resampling_s},
         {"correction_s", filter_times.correction_s}}}};
+  Json& rejected = json["loop_closures"]["rejected_by_back_end"] = Json::array();
+  for (const auto& [i, j, weight] : gmapping.graph_thread().rejected_closures()) {
+    rejected.push_back({{"old_node", i}, {"node", j}, {"weight", weight}});
+  }
   json["resources"].update(stopwatch.laps());
   return json;
 }

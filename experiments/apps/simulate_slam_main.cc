@@ -47,7 +47,6 @@ void Run() {
 }  // namespace gmapping_spa::apps
 
 int main(int argc, char** argv) {
-  gmapping_spa::apps::SetSlamDefaults();
   return gmapping_spa::apps::RunApp(
       argc, argv,
       "makes a map and a trajectory of a simulated tour: what simulate and gmapping_spa do one "

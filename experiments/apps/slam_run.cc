@@ -1,7 +1,5 @@
 #include "experiments/apps/slam_run.h"
 
-#include <gflags/gflags.h>
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -18,12 +16,6 @@
 #include "frontend/slam_parts.h"
 
 namespace gmapping_spa::apps {
-void SetSlamDefaults() {
-  // Closures found by a machine are never beyond doubt; those in files may have been checked.
-  const backend::Loss loss = SlamOptions{}.optimizer.loss;
-  gflags::SetCommandLineOptionWithMode("loss", backend::LossKindName(loss.kind),
-                                       gflags::SET_FLAGS_DEFAULT);
-}
 
 SlamRun::SlamRun() : SlamRun(SlamOptionsFromFlags()) {}
 

@@ -14,9 +14,6 @@
 
 namespace gmapping_spa::apps {
 
-// Sets defaults of flags that are other here than in optimize_graph; before flags are parsed.
-void SetSlamDefaults();
-
 class SlamRun {
  public:
   // Throws std::runtime_error with one line when a flag makes no sense.

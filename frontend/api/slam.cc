@@ -10,6 +10,7 @@
 
 #include "backend/graph/pose_graph_sink.h"
 #include "backend/plugin/plugin_loader.h"
+#include "backend/scheduling/optimize.h"
 #include "frontend/improved_gmapping.h"
 #include "frontend/map/map_building.h"
 #include "frontend/slam_parts.h"
@@ -26,7 +27,7 @@ const SlamOptions& Checked(const SlamOptions& options) {
 std::shared_ptr<backend::Optimizer> Checked(const SlamOptions& options,
                                             std::shared_ptr<backend::Optimizer> optimizer) {
   if (optimizer == nullptr) throw std::invalid_argument("the optimizer is null");
-  optimizer->CheckOptions(options.optimizer);
+  backend::CheckOptions(options.optimizer, *optimizer);
   return optimizer;
 }
 

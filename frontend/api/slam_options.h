@@ -110,9 +110,10 @@ struct SlamOptions {
 
   // The back end.
   std::string backend = "spa";  ///< name or path of a plugin, see LoadOptimizer
-  /// How it optimizes. Closures found by a machine are never beyond doubt: they have a robust loss.
+  /// How it optimizes. Closures found by a machine are never beyond doubt: their loss tells wrong
+  /// ones from right ones.
   gmapping_spa::backend::Options optimizer = {
-      .loss = {gmapping_spa::backend::LossKind::kHuber, 3.0}, .settings = {}};
+      .loss = {gmapping_spa::backend::LossKind::kMixture, 3.0}, .settings = {}};
   bool gnc = true;          ///< whether a truncated loss is approached by graduated non-convexity
   int optimize_every = 20;  ///< so many nodes, and after each closure
   enum class GraphThread : std::uint8_t {

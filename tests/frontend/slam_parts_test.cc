@@ -71,6 +71,7 @@ class Listener : public backend::Optimizer {
 
 TEST(SlamParts, TheOptimizerIsToldHowToOptimize) {
   SlamOptions options;
+  options.optimizer.loss = {backend::LossKind::kHuber, 3.0};
   options.optimizer.max_iterations = 7;
   const auto optimizer = std::make_shared<Listener>();
   backend::PoseGraph graph{.nodes = {{.id = 0, .world_T_node = {}}}, .edges = {}};

@@ -7,16 +7,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/apps/slam_run.h"
 
 namespace gmapping_spa::apps {
 namespace {
 
 class SlamFlags : public testing::Test {
  protected:
-  // As gmapping_spa and simulate_slam begin.
-  SlamFlags() { SetSlamDefaults(); }
-
   static SlamOptions OptionsOfFile(const std::string& name) {
     EXPECT_TRUE(gflags::ReadFromFlagsFile(FLAGS_FOLDER "/" + name, "slam_flags_test", false));
     return SlamOptionsFromFlags();

@@ -1,0 +1,191 @@
+#include "backend/scheduling/robust_optimization.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "backend/cost/closure_mixture.h"
+#include "backend/cost/graph_cost.h"
+#include "backend/graph/graph_index.h"
+#include "backend/scheduling/optimize_safely.h"
+
+namespace gmapping_spa::backend {
+namespace {
+
+// Scale of dynamic covariance scaling: the 0.999 quantile of the errors of right closures (the root
+// of that of the chi-square distribution with three degrees of freedom).
+constexpr double kDcsScale = 4.033;
+constexpr int kMaxRounds = 20;  // of sorting closures and least squares; a few are usual
+
+void SetPoses(const std::vector<SE2>& poses, PoseGraph* graph) {
+  for (std::size_t k = 0; k < poses.size(); ++k) graph->nodes[k].world_T_node = poses[k];
+}
+
+// Poses with the mixture that explains the errors there.
+struct Explanation {
+  std::vector<SE2> poses;
+  ClosureMixture mixture;
+};
+
+// The optimizer with the graph and what is left of the time.
+class RobustOptimization {
+ public:
+  RobustOptimization(const Options& options, Optimizer* optimizer, const PoseGraph& graph)
+      : options_(options),
+        optimizer_(optimizer),
+        graph_(graph),
+        index_(IndexGraph(graph)),
+        deadline_(DeadlineOf(options)) {
+    options_.loss = {};
+  }
+
+  const GraphIndex& index() const { return index_; }
+  Summary* summary() { return &summary_; }
+
+  // Optimizes `graph` from its poses, or where the options say, as one stage of all.
+  bool Optimize(Initialization initialization, const Loss& loss, PoseGraph* graph) {
+    Options stage = options_;
+    stage.initialization = initialization;
+    stage.loss = loss;
+    if (deadline_ != std::chrono::steady_clock::time_point::max()) {
+      const std::chrono::duration<double> left = deadline_ - std::chrono::steady_clock::now();
+      stage.max_solver_time_s = std::max(0.0, left.count());
+    }
+    Summary result = OptimizeSafely(stage, optimizer_, graph);
+    result.iterations.insert(result.iterations.begin(), summary_.iterations.begin(),
+                             summary_.iterations.end());
+    summary_ = std::move(result);
+    return summary_.termination != Termination::kFailure;
+  }
+
+  Explanation Explain(std::vector<SE2> poses) const {
+    ClosureMixture mixture = FitClosureMixture(graph_, index_, poses);
+    return {std::move(poses), std::move(mixture)};
+  }
+
+  // Steps 2 and 3. Returns nothing when the optimizer fails.
+  std::optional<Explanation> Refine(std::vector<SE2> poses) {
+    Explanation now = Explain(std::move(poses));
+    for (int round = 0; round < kMaxRounds; ++round) {
+      PoseGraph accepted = Accepted(now);
+      if (!Optimize(Initialization::kKeep, {}, &accepted)) return std::nullopt;
+      Explanation next = Explain(PosesOf(accepted));
+      const bool settled = SameSides(now.mixture, next.mixture);
+      now = std::move(next);
+      if (settled) break;
+    }
+    return now;
+  }
+
+  // Steps 1 to 3. Returns nothing when the optimizer fails.
+  std::optional<Explanation> ScaleAndRefine(Initialization initialization) {
+    PoseGraph graph = graph_;
+    if (!Optimize(initialization, {LossKind::kDcs, kDcsScale}, &graph)) return std::nullopt;
+    return Refine(PosesOf(graph));
+  }
+
+ private:
+  // The graph without closures that are rather wrong than right.
+  PoseGraph Accepted(const Explanation& explanation) const {
+    PoseGraph accepted{.nodes = graph_.nodes, .edges = {}};
+    SetPoses(explanation.poses, &accepted);
+    for (std::size_t k = 0; k < graph_.edges.size(); ++k) {
+      if (explanation.mixture.inlier_probability[k] < 0.5) continue;
+      Edge edge = graph_.edges[k];
+      if (edge.kind == EdgeKind::kLoopClosure) {
+        edge.information /= explanation.mixture.variance_factor;
+      }
+      accepted.edges.push_back(edge);
+    }
+    return accepted;
+  }
+
+  static bool SameSides(const ClosureMixture& a, const ClosureMixture& b) {
+    constexpr double kSameFactor = 1e-2;
+    if (std::abs(a.variance_factor - b.variance_factor) > kSameFactor * a.variance_factor) {
+      return false;
+    }
+    return std::ranges::equal(a.inlier_probability, b.inlier_probability,
+                              [](double p, double q) { return (p < 0.5) == (q < 0.5); });
+  }
+
+  Options options_;
+  Optimizer* optimizer_;
+  const PoseGraph& graph_;
+  GraphIndex index_;
+  std::chrono::steady_clock::time_point deadline_;
+  Summary summary_;
+};
+
+// The part of squared errors of right loop closures that are larger: the chi-square distribution
+// with three degrees of freedom.
+double PartAbove(double squared_error) {
+  return std::erfc(std::sqrt(squared_error / 2.0)) +
+         std::sqrt(2.0 * squared_error / std::numbers::pi) * std::exp(-squared_error / 2.0);
+}
+
+// Whether the largest error of all loop closures is no larger than chance makes it.
+bool EveryClosureAgrees(const PoseGraph& graph, const GraphIndex& index,
+                        const std::vector<SE2>& poses) {
+  constexpr double kSignificance = 0.01;
+  const std::vector<double> squared = SquaredErrors(graph, index, poses);
+  double largest = 0.0, closures = 0.0;
+  for (std::size_t k = 0; k < squared.size(); ++k) {
+    if (graph.edges[k].kind != EdgeKind::kLoopClosure) continue;
+    largest = std::max(largest, squared[k]);
+    closures += 1.0;
+  }
+  return closures == 0.0 || closures * PartAbove(largest) >= kSignificance;
+}
+
+bool IsBetter(const ClosureMixture& a, const ClosureMixture& b) {
+  return a.negative_log_likelihood < b.negative_log_likelihood;
+}
+
+}  // namespace
+
+Summary OptimizeRobustly(const Options& options, Optimizer* optimizer, PoseGraph* graph) {
+  const PoseGraph given = *graph;
+  RobustOptimization robust(options, optimizer, given);
+  const GraphIndex& index = robust.index();
+  if (!robust.Optimize(options.initialization, {}, graph)) return *robust.summary();
+  const std::vector<SE2> least_squares = PosesOf(*graph);
+  if (EveryClosureAgrees(given, index, least_squares)) {
+    robust.summary()->edge_weights.assign(given.edges.size(), 1.0);
+    return *robust.summary();
+  }
+
+  // Given poses may be anything: where it is up to us, the odometry is the better start.
+  const Initialization start = options.initialization == Initialization::kAuto
+                                   ? Initialization::kOdometry
+                                   : options.initialization;
+  std::optional<Explanation> best = robust.ScaleAndRefine(start);
+  // Where few are wrong, least squares or the given poses may be nearer to the truth.
+  for (const std::vector<SE2>& poses : {least_squares, PosesOf(given)}) {
+    if (best && IsBetter(FitClosureMixture(given, index, poses), best->mixture)) {
+      best = robust.Refine(poses);
+    }
+  }
+  graph->nodes = given.nodes;
+  Summary summary = *robust.summary();
+  if (!best) {
+    summary.initial_cost = summary.final_cost = GraphCost(given, index);
+    return summary;
+  }
+  summary.initial_cost = MixtureCost(given, index, PosesOf(given), best->mixture);
+  summary.final_cost = MixtureCost(given, index, best->poses, best->mixture);
+  if (summary.final_cost > summary.initial_cost) {
+    summary.message += "; the given poses cost less and are kept";
+    summary.final_cost = summary.initial_cost;
+    best = robust.Explain(PosesOf(given));
+  }
+  SetPoses(best->poses, graph);
+  summary.edge_weights = best->mixture.inlier_probability;
+  summary.variance_factor = best->mixture.variance_factor;
+  return summary;
+}
+
+}  // namespace gmapping_spa::backend
