@@ -14,7 +14,7 @@
 
 #include "backend/cost/graph_cost.h"
 #include "backend/graph/graph_index.h"
-#include "backend/initialization/initial_guess.h"
+#include "backend/graph/initial_guess.h"
 #include "backend/scheduling/optimize_safely.h"
 #include "tests/backend/random_graph.h"
 
