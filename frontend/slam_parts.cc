@@ -184,8 +184,8 @@ std::shared_ptr<const scan_matching::ScanMatcher> MakeScanMatcher(const SlamOpti
       EndpointOptions(options));
 }
 
-backend::OptimizationThread::OptimizeFunction BindOptimizer(
-    const SlamOptions& options, std::shared_ptr<backend::Optimizer> optimizer) {
+GraphThread::OptimizeFunction BindOptimizer(const SlamOptions& options,
+                                            std::shared_ptr<backend::Optimizer> optimizer) {
   const bool gradually =
       options.optimizer.loss.kind == backend::LossKind::kTruncated && options.gnc;
   return [gradually, how = options.optimizer,
