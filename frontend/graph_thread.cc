@@ -2,6 +2,10 @@
 
 #include <glog/logging.h>
 
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <string>
 #include <utility>
 
 #include "backend/scheduling/optimize.h"
@@ -11,16 +15,49 @@ namespace {
 
 constexpr double kFinalPatience = 10.0;  // timeouts
 
+// An exception is a failure that says so.
+backend::Summary OptimizeOrSayWhy(const GraphThread::OptimizeFunction& optimize,
+                                  backend::PoseGraph* graph) {
+  backend::Summary failure;
+  try {
+    return optimize(graph);
+  } catch (const std::exception& error) {
+    failure.message = std::string("it threw: ") + error.what();
+  } catch (...) {
+    failure.message = "it threw an exception of unknown type";
+  }
+  return failure;
+}
+
+// For any number of seconds.
+template <typename Result>
+bool IsReadyWithin(double timeout_s, const std::future<Result>& result) {
+  constexpr double kLongest_s = 1e9;  // the clock's nanoseconds overflow at ten times as many
+  return result.wait_for(std::chrono::duration<double>(std::min(timeout_s, kLongest_s))) ==
+         std::future_status::ready;
+}
+
 }  // namespace
 
-GraphThread::GraphThread(const Options& options,
-                         backend::OptimizationThread::OptimizeFunction optimize)
-    : options_(options), thread_(std::move(optimize)) {
+GraphThread::GraphThread(const Options& options, OptimizeFunction optimize)
+    : options_(options), optimize_(std::make_shared<const OptimizeFunction>(std::move(optimize))) {
   CHECK_GE(options.lockstep_scans, 1);
 }
 
+GraphThread::~GraphThread() {
+  if (busy() && !IsReadyWithin(options_.patience_s, result_)) thread_.detach();
+}
+
 void GraphThread::Start(backend::PoseGraph snapshot) {
-  thread_.Start(std::move(snapshot));
+  CHECK(!busy());
+  std::packaged_task<Result()> task(
+      [optimize = optimize_, graph = std::move(snapshot)]() mutable -> Result {
+        backend::Summary summary = OptimizeOrSayWhy(*optimize, &graph);
+        return {std::move(graph), std::move(summary)};
+      });
+  std::future<Result> result = task.get_future();
+  thread_ = std::jthread(std::move(task));
+  result_ = std::move(result);
   ++counts_.started;
   scans_since_start_ = 0;
   late_ = false;
@@ -57,20 +94,20 @@ std::optional<backend::PoseGraph> GraphThread::WaitFor(double timeout_s) {
 }
 
 std::optional<backend::PoseGraph> GraphThread::Take(double wait_s) {
-  std::optional<backend::OptimizationThread::Result> result = thread_.Wait(wait_s);
-  if (!result) return std::nullopt;
-  if (result->summary.termination == backend::Termination::kFailure) {
-    LOG(WARNING) << "the back end failed: " << result->summary.message;
+  if (!IsReadyWithin(wait_s, result_)) return std::nullopt;
+  Result result = result_.get();
+  if (result.summary.termination == backend::Termination::kFailure) {
+    LOG(WARNING) << "the back end failed: " << result.summary.message;
     ++counts_.failed;
     return std::nullopt;
   }
   ++counts_.taken;
   rejected_closures_.clear();
-  for (const std::size_t k : backend::RejectedClosures(result->graph.edges, result->summary)) {
-    const backend::Edge& edge = result->graph.edges[k];
-    rejected_closures_.push_back({edge.i, edge.j, result->summary.edge_weights[k]});
+  for (const std::size_t k : backend::RejectedClosures(result.graph.edges, result.summary)) {
+    const backend::Edge& edge = result.graph.edges[k];
+    rejected_closures_.push_back({edge.i, edge.j, result.summary.edge_weights[k]});
   }
-  return std::move(result->graph);
+  return std::move(result.graph);
 }
 
 }  // namespace gmapping_spa::frontend

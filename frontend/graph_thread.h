@@ -3,17 +3,26 @@
 #define GMAPPING_SPA_FRONTEND_GRAPH_THREAD_H_
 
 #include <cstdint>
+#include <functional>
+#include <future>
+#include <memory>
 #include <optional>
+#include <thread>
 #include <vector>
 
-#include "backend/scheduling/optimization_thread.h"
+#include "backend/graph/pose_graph.h"
+#include "backend/plugin/optimizer.h"
 
 namespace gmapping_spa::frontend {
 
-// Step 3': the graph thread of the paper. A back end that fails, throws or hangs costs its result
-// and a warning, no more.
+// Step 3': the graph thread of the paper. It optimizes snapshots of the graph, one at a time. A
+// back end that fails, throws or hangs costs its result and a warning, no more.
 class GraphThread {
  public:
+  // Optimizes in place, such as OptimizeSafely or OptimizeGradually bound to an optimizer. It owns
+  // what it uses, because a call that hangs outlives the GraphThread: bind a shared_ptr.
+  using OptimizeFunction = std::function<backend::Summary(backend::PoseGraph*)>;
+
   enum class Mode : std::uint8_t {
     kLockstep,  // taken over a fixed number of scans after the start: concurrent and repeatable
     kAsync,     // as soon as it is there
@@ -26,6 +35,8 @@ class GraphThread {
     // A result that is due and not there after this long is waited for no longer: it is taken over
     // when it comes.
     double timeout_s = 3.0;
+    // For how long the destructor waits for what runs.
+    double patience_s = 5.0;
     friend bool operator==(const Options&, const Options&) = default;
   };
 
@@ -36,11 +47,17 @@ class GraphThread {
     std::int64_t late = 0;  // not there when they were due
   };
 
-  GraphThread(const Options& options, backend::OptimizationThread::OptimizeFunction optimize);
+  GraphThread(const Options& options, OptimizeFunction optimize);
+  // What runs for longer than patience_s is left to itself: its thread ends with it, and the
+  // function is destroyed there. Otherwise the thread has ended.
+  ~GraphThread();
+  GraphThread(const GraphThread&) = delete;
+  GraphThread& operator=(const GraphThread&) = delete;
 
-  bool busy() const { return thread_.busy(); }
+  // Whether there is a snapshot whose result has not been taken.
+  bool busy() const { return result_.valid(); }
 
-  // Precondition: not busy.
+  // Precondition: not busy. Throws std::system_error when there is no thread to be had.
   void Start(backend::PoseGraph snapshot);
 
   // Call it once a scan: the optimized snapshot when it is due and a success.
@@ -62,11 +79,18 @@ class GraphThread {
   const Counts& counts() const { return counts_; }
 
  private:
+  struct Result {
+    backend::PoseGraph graph;
+    backend::Summary summary;
+  };
+
   std::optional<backend::PoseGraph> WaitFor(double timeout_s);
   std::optional<backend::PoseGraph> Take(double wait_s);
 
   Options options_;
-  backend::OptimizationThread thread_;
+  std::shared_ptr<const OptimizeFunction> optimize_;  // shared with what is left to itself
+  std::future<Result> result_;
+  std::jthread thread_;
   int scans_since_start_ = 0;
   bool late_ = false;
   std::vector<RejectedClosure> rejected_closures_;

@@ -16,7 +16,7 @@ using particle_filter::TrajectoryTree;
 
 ImprovedGmapping::ImprovedGmapping(const Options& options,
                                    std::shared_ptr<const scan_matching::ScanMatcher> matcher,
-                                   backend::OptimizationThread::OptimizeFunction optimize)
+                                   GraphThread::OptimizeFunction optimize)
     : options_(options),
       filter_(options.filter, std::move(matcher)),
       control_(options.control, &health_),

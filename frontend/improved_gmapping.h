@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "backend/graph/pose_graph_sink.h"
-#include "backend/scheduling/optimization_thread.h"
 #include "frontend/api/scan_result.h"
 #include "frontend/control_input.h"
 #include "frontend/final_optimization.h"
@@ -69,7 +68,7 @@ class ImprovedGmapping {
   // `optimize` is the back end; it is called in a thread of its own.
   ImprovedGmapping(const Options& options,
                    std::shared_ptr<const scan_matching::ScanMatcher> matcher,
-                   backend::OptimizationThread::OptimizeFunction optimize);
+                   GraphThread::OptimizeFunction optimize);
 
   // `measured`: not deskewed. Throws std::runtime_error when the odometry leads out of the area
   // that a map can cover.

@@ -5,8 +5,9 @@
 
 #include <memory>
 
-#include "backend/scheduling/optimization_thread.h"
+#include "backend/plugin/optimizer.h"
 #include "frontend/api/slam_options.h"
+#include "frontend/graph_thread.h"
 #include "frontend/improved_gmapping.h"
 #include "frontend/scan_matching/scan_matcher.h"
 
@@ -18,8 +19,8 @@ ImprovedGmapping::Options GmappingOptions(const SlamOptions& options);
 std::shared_ptr<const scan_matching::ScanMatcher> MakeScanMatcher(const SlamOptions& options);
 
 // `optimizer`, held to its contract, with the options of the back end.
-backend::OptimizationThread::OptimizeFunction BindOptimizer(
-    const SlamOptions& options, std::shared_ptr<backend::Optimizer> optimizer);
+GraphThread::OptimizeFunction BindOptimizer(const SlamOptions& options,
+                                            std::shared_ptr<backend::Optimizer> optimizer);
 
 }  // namespace gmapping_spa::frontend
 

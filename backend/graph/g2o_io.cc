@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "backend/graph/graph_index.h"
-#include "backend/initialization/initial_guess.h"
+#include "backend/graph/initial_guess.h"
 #include "backend/text.h"
 
 namespace gmapping_spa::backend {

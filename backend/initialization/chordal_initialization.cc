@@ -1,6 +1,7 @@
 #include "backend/initialization/chordal_initialization.h"
 
 #include <cmath>
+#include <utility>
 
 #include "backend/sparse/block_matrix.h"
 
@@ -16,9 +17,10 @@ using backend::SE2;
 bool SolveRotations(const PoseGraphView& graph, const GraphStructure& graph_structure,
                     SolverMemory* memory, std::vector<SE2>* poses) {
   const BlockStructure& structure = graph_structure.blocks();
-  BlockMatrix& matrix = memory->equations.hessian;
-  matrix.SetZero<2>(structure);
-  std::vector<BlockVector<2>> x(structure.columns(), BlockVector<2>::Zero());
+  using Matrix = BlockMatrix<2>;
+  Matrix matrix(std::move(memory->equations.hessian));
+  matrix.SetZero(structure);
+  Matrix::Vector x(structure.columns(), Matrix::Segment::Zero());
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     const Edge& edge = graph.edges[e];
     const auto [i, j] = graph_structure.index().edges[e];
@@ -26,18 +28,20 @@ bool SolveRotations(const PoseGraphView& graph, const GraphStructure& graph_stru
     if (a == b) continue;
     const double weight = edge.information(2, 2);
     const double c = weight * std::cos(edge.i_T_j.theta), s = weight * std::sin(edge.i_T_j.theta);
-    Block<2> weighted_rotation;
+    Matrix::Block weighted_rotation;
     weighted_rotation << c, -s, s, c;
-    if (a >= 0) matrix.diagonal<2>(a).diagonal().array() += weight;
-    if (b >= 0) matrix.diagonal<2>(b).diagonal().array() += weight;
-    matrix.AddOffDiagonal<2>(structure.slot_of_edge[e], -weighted_rotation.transpose());
+    if (a >= 0) matrix.diagonal(a).diagonal().array() += weight;
+    if (b >= 0) matrix.diagonal(b).diagonal().array() += weight;
+    matrix.AddOffDiagonal(structure.slot_of_edge[e], -weighted_rotation.transpose());
     const auto direction = [&](int node) {
-      return BlockVector<2>(std::cos((*poses)[node].theta), std::sin((*poses)[node].theta));
+      return Matrix::Segment(std::cos((*poses)[node].theta), std::sin((*poses)[node].theta));
     };
     if (a < 0) x[b] += weighted_rotation * direction(i);
     if (b < 0) x[a] += weighted_rotation.transpose() * direction(j);
   }
-  if (!memory->cholesky.Solve(structure, graph_structure.symbolic(), matrix, &x)) return false;
+  const bool solved = memory->cholesky.Solve(structure, graph_structure.symbolic(), matrix, &x);
+  memory->equations.hessian = PoseMatrix(std::move(matrix));
+  if (!solved) return false;
   for (int k = 0; k < structure.columns(); ++k) {
     (*poses)[structure.node_of_column[k]].theta = std::atan2(x[k].y(), x[k].x());
   }
@@ -51,7 +55,7 @@ bool SolvePoses(const PoseGraphView& graph, const GraphStructure& structure, Sol
   for (const int node : free_nodes) (*poses)[node].x = (*poses)[node].y = 0.0;
   NormalEquations& equations = memory->equations;
   LinearizeForTranslations(graph, structure.index(), structure.blocks(), *poses, &equations);
-  std::vector<BlockVector<3>>& x = equations.minus_gradient;
+  PoseMatrix::Vector& x = equations.minus_gradient;
   if (!memory->cholesky.Solve(structure.blocks(), structure.symbolic(), equations.hessian, &x)) {
     return false;
   }
@@ -69,9 +73,10 @@ bool SolveRotationsAndTranslations(const PoseGraphView& graph,
                                    const GraphStructure& graph_structure, SolverMemory* memory,
                                    std::vector<SE2>* poses) {
   const BlockStructure& structure = graph_structure.blocks();
-  BlockMatrix& matrix = memory->equations.hessian;
-  matrix.SetZero<4>(structure);
-  std::vector<BlockVector<4>> x(structure.columns(), BlockVector<4>::Zero());
+  using Matrix = BlockMatrix<4>;
+  Matrix matrix(std::move(memory->equations.hessian));
+  matrix.SetZero(structure);
+  Matrix::Vector x(structure.columns(), Matrix::Segment::Zero());
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     const Edge& edge = graph.edges[e];
     const auto [i, j] = graph_structure.index().edges[e];
@@ -89,13 +94,15 @@ bool SolveRotationsAndTranslations(const PoseGraphView& graph,
       const SE2& pose = (*poses)[node];
       return Eigen::Vector4d(std::cos(pose.theta), std::sin(pose.theta), pose.x, pose.y);
     };
-    if (a >= 0) matrix.diagonal<4>(a) += weighted * m;
-    if (b >= 0) matrix.diagonal<4>(b).diagonal() += w;
-    matrix.AddOffDiagonal<4>(structure.slot_of_edge[e], -weighted);
+    if (a >= 0) matrix.diagonal(a) += weighted * m;
+    if (b >= 0) matrix.diagonal(b).diagonal() += w;
+    matrix.AddOffDiagonal(structure.slot_of_edge[e], -weighted);
     if (a < 0) x[b] += w.cwiseProduct(m * known(i));
     if (b < 0) x[a] += weighted * known(j);
   }
-  if (!memory->cholesky.Solve(structure, graph_structure.symbolic(), matrix, &x)) return false;
+  const bool solved = memory->cholesky.Solve(structure, graph_structure.symbolic(), matrix, &x);
+  memory->equations.hessian = PoseMatrix(std::move(matrix));
+  if (!solved) return false;
   for (int k = 0; k < structure.columns(); ++k) {
     (*poses)[structure.node_of_column[k]] = {x[k][2], x[k][3], std::atan2(x[k][1], x[k][0])};
   }

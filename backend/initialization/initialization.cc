@@ -1,8 +1,8 @@
 #include "backend/initialization/initialization.h"
 
 #include "backend/enum_names.h"
+#include "backend/graph/initial_guess.h"
 #include "backend/initialization/chordal_initialization.h"
-#include "backend/initialization/initial_guess.h"
 
 namespace gmapping_spa::backend {
 namespace {

@@ -68,7 +68,8 @@ class Optimizer {
   virtual void CheckOptions(const Options& /*options*/) const {}
   // Improves the poses of `nodes` and changes nothing else of them. Poses are finite before and
   // after; never do those after cost more (GraphCost under options.loss). Leaves fixed nodes where
-  // they are, and the first node of each connected component that has none.
+  // they are, and the first node of each connected component that has none. May throw: callers
+  // (OptimizeSafely) and the boundary of plugins make a failure of it.
   virtual Summary Optimize(const Options& options, std::span<const Edge> edges,
                            std::span<Node> nodes) = 0;
 };

@@ -5,14 +5,15 @@
 namespace gmapping_spa::spa {
 
 bool DampedSolver::Solve(const GraphStructure& structure, double lambda, LinearSolver solver,
-                         SolverMemory* memory, std::vector<BlockVector<3>>* step) {
-  const BlockMatrix* hessian = &memory->equations.hessian;
+                         SolverMemory* memory, PoseMatrix::Vector* step) {
+  const PoseMatrix* hessian = &memory->equations.hessian;
   if (lambda > 0.0) {
     damped_ = *hessian;
     for (int k = 0; k < structure.blocks().columns(); ++k) {
-      Eigen::Map<Block<3>> block = damped_.diagonal<3>(k);
+      Eigen::Map<PoseMatrix::Block> block = damped_.diagonal(k);
       // Coordinates that no measurement sees are held by the damping alone.
-      for (int c = 0; c < 3; ++c) block(c, c) += lambda * (block(c, c) > 0.0 ? block(c, c) : 1.0);
+      for (int c = 0; c < PoseMatrix::kSize; ++c)
+        block(c, c) += lambda * (block(c, c) > 0.0 ? block(c, c) : 1.0);
     }
     hessian = &damped_;
   }
@@ -25,12 +26,11 @@ bool DampedSolver::Solve(const GraphStructure& structure, double lambda, LinearS
 }
 
 double PredictedDecrease(const NormalEquations& equations, double lambda,
-                         const std::vector<BlockVector<3>>& step) {
+                         const PoseMatrix::Vector& step) {
   double decrease = 0.0;
   for (std::size_t k = 0; k < step.size(); ++k) {
-    const BlockVector<3> damped =
-        lambda *
-        equations.hessian.diagonal<3>(static_cast<int>(k)).diagonal().cwiseProduct(step[k]);
+    const PoseMatrix::Segment damped =
+        lambda * equations.hessian.diagonal(static_cast<int>(k)).diagonal().cwiseProduct(step[k]);
     decrease += 0.5 * step[k].dot(equations.minus_gradient[k] + damped);
   }
   return decrease;

@@ -3,7 +3,6 @@
 #define GMAPPING_SPA_BACKEND_SPA_DAMPED_SOLVER_H_
 
 #include <cstdint>
-#include <vector>
 
 #include "backend/initialization/chordal_initialization.h"
 #include "backend/sparse/cholmod_solver.h"
@@ -19,20 +18,20 @@ class DampedSolver {
   // False, with `*step` undefined, when the matrix is not positive definite. `*step` has a block
   // for each column of the structure.
   bool Solve(const GraphStructure& structure, double lambda, LinearSolver solver,
-             SolverMemory* memory, std::vector<BlockVector<3>>* step);
+             SolverMemory* memory, PoseMatrix::Vector* step);
 
   // To be called when the structure is another one than in the last call.
   void ForgetStructure() { cholmod_knows_structure_ = false; }
 
  private:
-  BlockMatrix damped_;
+  PoseMatrix damped_;
   CholmodSolver cholmod_;
   bool cholmod_knows_structure_ = false;
 };
 
 // By how much the step lowers the quadratic model of the cost: dx' (-g + lambda diag(H) dx) / 2.
 double PredictedDecrease(const NormalEquations& equations, double lambda,
-                         const std::vector<BlockVector<3>>& step);
+                         const PoseMatrix::Vector& step);
 
 }  // namespace gmapping_spa::spa
 

@@ -27,7 +27,7 @@ double SecondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void AddStep(const BlockStructure& structure, const std::vector<BlockVector<3>>& step,
+void AddStep(const BlockStructure& structure, const PoseMatrix::Vector& step,
              std::vector<SE2>* poses) {
   for (int k = 0; k < structure.columns(); ++k) {
     SE2& pose = (*poses)[structure.node_of_column[k]];
@@ -35,9 +35,9 @@ void AddStep(const BlockStructure& structure, const std::vector<BlockVector<3>>&
   }
 }
 
-double SquaredNorm(const std::vector<BlockVector<3>>& step) {
+double SquaredNorm(const PoseMatrix::Vector& step) {
   double sum = 0.0;
-  for (const BlockVector<3>& block : step) sum += block.squaredNorm();
+  for (const PoseMatrix::Segment& block : step) sum += block.squaredNorm();
   return sum;
 }
 
@@ -54,7 +54,7 @@ bool LevenbergMarquardt::Minimize(const Options& options, const GraphProblem& pr
   double damping = damping_.value_or(options.first_damping);
   int nonmonotonic_steps = 0;
   std::vector<SE2> current = *poses;
-  std::vector<BlockVector<3>> step;
+  PoseMatrix::Vector step;
   summary->final_cost = memory->equations.cost;
   summary->termination = Termination::kNoConvergence;
   summary->message = "ran out of iterations";

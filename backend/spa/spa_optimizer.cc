@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <exception>
 #include <utility>
 
 #include "backend/cost/graph_cost.h"
@@ -70,8 +69,12 @@ void SpaOptimizer::TryAnotherStart(LevenbergMarquardt::Options options, const Gr
   minimizer_.Minimize(options, problem, &memory_, poses, summary);
 }
 
-Summary SpaOptimizer::OptimizeOrThrow(const Options& options, std::span<const backend::Edge> edges,
-                                      std::span<backend::Node> nodes) {
+void SpaOptimizer::CheckOptions(const Options& options) const {
+  backend::Settings(kSettings, options.settings);
+}
+
+Summary SpaOptimizer::Optimize(const Options& options, std::span<const backend::Edge> edges,
+                               std::span<backend::Node> nodes) {
   LevenbergMarquardt::Options minimizer_options = MinimizerOptions(options);
   const PoseGraphView graph{nodes, edges};
   structure_.Update(backend::IndexGraph(graph));
@@ -105,21 +108,6 @@ Summary SpaOptimizer::OptimizeOrThrow(const Options& options, std::span<const ba
   }
   last_cost_ = summary.final_cost;
   return summary;
-}
-
-void SpaOptimizer::CheckOptions(const Options& options) const {
-  backend::Settings(kSettings, options.settings);
-}
-
-Summary SpaOptimizer::Optimize(const Options& options, std::span<const backend::Edge> edges,
-                               std::span<backend::Node> nodes) {
-  try {
-    return OptimizeOrThrow(options, edges, nodes);
-  } catch (const std::exception& error) {
-    Summary summary;
-    summary.message = error.what();
-    return summary;
-  }
 }
 
 }  // namespace gmapping_spa::spa

@@ -38,10 +38,6 @@ class SpaOptimizer : public backend::Optimizer {
                             std::span<backend::Node> nodes) override;
 
  private:
-  backend::Summary OptimizeOrThrow(const backend::Options& options,
-                                   std::span<const backend::Edge> edges,
-                                   std::span<backend::Node> nodes);
-
   // The cheaper one of the given poses, which cost given_cost, and the chordal relaxation; the
   // normal equations are those there.
   std::vector<backend::SE2> CheaperStart(const GraphProblem& problem, double given_cost);

@@ -184,7 +184,8 @@ bool HasAvx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports
 
 template <int kSize>
 bool BlockCholesky::Solve(const BlockStructure& structure, const SymbolicFactor& symbolic,
-                          const BlockMatrix& matrix, std::vector<BlockVector<kSize>>* x) {
+                          const BlockMatrix<kSize>& matrix,
+                          typename BlockMatrix<kSize>::Vector* x) {
   const std::size_t columns = structure.columns(), blocks = symbolic.column_begin.back();
   inverse_diagonal_.reserve(columns * kLargestSize * kLargestSize);
   transposed_.reserve(blocks * kLargestSize * kLargestSize);
@@ -208,11 +209,11 @@ bool BlockCholesky::Solve(const BlockStructure& structure, const SymbolicFactor&
   return SolveRows<kSize>(structure, symbolic, arrays);
 }
 
-template bool BlockCholesky::Solve<2>(const BlockStructure&, const SymbolicFactor&,
-                                      const BlockMatrix&, std::vector<BlockVector<2>>*);
-template bool BlockCholesky::Solve<3>(const BlockStructure&, const SymbolicFactor&,
-                                      const BlockMatrix&, std::vector<BlockVector<3>>*);
-template bool BlockCholesky::Solve<4>(const BlockStructure&, const SymbolicFactor&,
-                                      const BlockMatrix&, std::vector<BlockVector<4>>*);
+template bool BlockCholesky::Solve(const BlockStructure&, const SymbolicFactor&,
+                                   const BlockMatrix<2>&, BlockMatrix<2>::Vector*);
+template bool BlockCholesky::Solve(const BlockStructure&, const SymbolicFactor&,
+                                   const BlockMatrix<3>&, BlockMatrix<3>::Vector*);
+template bool BlockCholesky::Solve(const BlockStructure&, const SymbolicFactor&,
+                                   const BlockMatrix<4>&, BlockMatrix<4>::Vector*);
 
 }  // namespace gmapping_spa::spa

@@ -21,7 +21,7 @@ class BlockCholesky {
   // with `x` undefined, when the matrix is not positive definite.
   template <int kSize>
   bool Solve(const BlockStructure& structure, const SymbolicFactor& symbolic,
-             const BlockMatrix& matrix, std::vector<BlockVector<kSize>>* x);
+             const BlockMatrix<kSize>& matrix, typename BlockMatrix<kSize>::Vector* x);
 
  private:
   std::vector<double> inverse_diagonal_;  // blocks of L, inverted

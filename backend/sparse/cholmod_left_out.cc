@@ -10,8 +10,8 @@ struct CholmodSolver::Workspace {};
 CholmodSolver::CholmodSolver() = default;
 CholmodSolver::~CholmodSolver() = default;
 
-bool CholmodSolver::Solve(const BlockStructure& /*structure*/, const BlockMatrix& /*matrix*/,
-                          bool /*new_structure*/, std::vector<BlockVector<3>>* /*x*/) {
+bool CholmodSolver::Solve(const BlockStructure& /*structure*/, const PoseMatrix& /*matrix*/,
+                          bool /*new_structure*/, PoseMatrix::Vector* /*x*/) {
   throw std::logic_error("built without CHOLMOD");
 }
 

@@ -6,6 +6,11 @@
 #include <new>
 
 namespace gmapping_spa::spa {
+namespace {
+
+constexpr int kSize = PoseMatrix::kSize;
+
+}  // namespace
 
 struct CholmodSolver::Workspace {
   cholmod_common common;
@@ -32,13 +37,13 @@ struct CholmodSolver::Workspace {
     cholmod_free_sparse(&matrix, &common);
   }
 
-  // Makes the upper triangle of the scalar matrix: three columns for each column of blocks, each
+  // Makes the upper triangle of the scalar matrix: kSize columns for each column of blocks, each
   // with the rows of the blocks above and its part of the diagonal block.
   void SetPattern(const BlockStructure& structure) {
     Clear();
-    const std::size_t size = std::size_t{3} * structure.columns();
-    const std::size_t entries =
-        std::size_t{9} * structure.blocks() + std::size_t{6} * structure.columns();
+    const std::size_t size = std::size_t{kSize} * structure.columns();
+    const std::size_t entries = std::size_t{kSize} * kSize * structure.blocks() +
+                                std::size_t{kSize} * (kSize + 1) / 2 * structure.columns();
     matrix = cholmod_allocate_sparse(size, size, entries, /*sorted=*/true, /*packed=*/true,
                                      /*stype=*/1, CHOLMOD_REAL, &common);
     if (matrix == nullptr) throw std::bad_alloc();
@@ -46,12 +51,12 @@ struct CholmodSolver::Workspace {
     int* const row = static_cast<int*>(matrix->i);
     int entry = 0;
     for (int k = 0; k < structure.columns(); ++k) {
-      for (int c = 0; c < 3; ++c) {
-        begin[3 * k + c] = entry;
+      for (int c = 0; c < kSize; ++c) {
+        begin[kSize * k + c] = entry;
         for (int p = structure.begin[k]; p < structure.begin[k + 1]; ++p) {
-          for (int r = 0; r < 3; ++r) row[entry++] = 3 * structure.row[p] + r;
+          for (int r = 0; r < kSize; ++r) row[entry++] = kSize * structure.row[p] + r;
         }
-        for (int r = 0; r <= c; ++r) row[entry++] = 3 * k + r;
+        for (int r = 0; r <= c; ++r) row[entry++] = kSize * k + r;
       }
     }
     begin[size] = entry;
@@ -59,14 +64,14 @@ struct CholmodSolver::Workspace {
     if (factor == nullptr) throw std::bad_alloc();
   }
 
-  void SetValues(const BlockStructure& structure, const BlockMatrix& blocks) const {
+  void SetValues(const BlockStructure& structure, const PoseMatrix& blocks) const {
     double* value = static_cast<double*>(matrix->x);
     for (int k = 0; k < structure.columns(); ++k) {
-      for (int c = 0; c < 3; ++c) {
+      for (int c = 0; c < kSize; ++c) {
         for (int p = structure.begin[k]; p < structure.begin[k + 1]; ++p) {
-          for (int r = 0; r < 3; ++r) *value++ = blocks.off_diagonal<3>(p)(r, c);
+          for (int r = 0; r < kSize; ++r) *value++ = blocks.off_diagonal(p)(r, c);
         }
-        for (int r = 0; r <= c; ++r) *value++ = blocks.diagonal<3>(k)(r, c);
+        for (int r = 0; r <= c; ++r) *value++ = blocks.diagonal(k)(r, c);
       }
     }
   }
@@ -75,8 +80,8 @@ struct CholmodSolver::Workspace {
 CholmodSolver::CholmodSolver() : workspace_(std::make_unique<Workspace>()) {}
 CholmodSolver::~CholmodSolver() = default;
 
-bool CholmodSolver::Solve(const BlockStructure& structure, const BlockMatrix& matrix,
-                          bool new_structure, std::vector<BlockVector<3>>* x) {
+bool CholmodSolver::Solve(const BlockStructure& structure, const PoseMatrix& matrix,
+                          bool new_structure, PoseMatrix::Vector* x) {
   if (structure.columns() == 0) return true;
   Workspace& w = *workspace_;
   if (new_structure || w.matrix == nullptr) w.SetPattern(structure);
@@ -85,7 +90,7 @@ bool CholmodSolver::Solve(const BlockStructure& structure, const BlockMatrix& ma
     if (w.common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
     return false;
   }
-  const std::size_t numbers = 3 * x->size();
+  const std::size_t numbers = kSize * x->size();
   cholmod_dense* right =
       cholmod_allocate_dense(w.matrix->nrow, 1, w.matrix->nrow, CHOLMOD_REAL, &w.common);
   if (right == nullptr) throw std::bad_alloc();

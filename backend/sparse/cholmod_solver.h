@@ -3,7 +3,6 @@
 #define GMAPPING_SPA_BACKEND_SPARSE_CHOLMOD_SOLVER_H_
 
 #include <memory>
-#include <vector>
 
 #include "backend/sparse/block_matrix.h"
 
@@ -19,8 +18,8 @@ class CholmodSolver {
   // Replaces the right-hand side `x` (one block for each column) by the solution. Returns false,
   // with `x` as it was, when the matrix is not positive definite. `new_structure` says that the
   // pattern may differ from that of the call before.
-  bool Solve(const BlockStructure& structure, const BlockMatrix& matrix, bool new_structure,
-             std::vector<BlockVector<3>>* x);
+  bool Solve(const BlockStructure& structure, const PoseMatrix& matrix, bool new_structure,
+             PoseMatrix::Vector* x);
 
  private:
   struct Workspace;  // CHOLMOD's types

@@ -44,16 +44,16 @@ void AddEdge(const Edge& edge, const Eigen::Vector3d& weighted_error, double wei
   gradient_j << weight * (rotation * weighted_error.head<2>()), weight * weighted_error.z();
 
   if (column_j >= 0) {
-    equations->hessian.diagonal<3>(column_j) += w;
+    equations->hessian.diagonal(column_j) += w;
     equations->minus_gradient[column_j] -= gradient_j;
   }
   if (column_i >= 0) {
     // M' adds -d_y times the first row and d_x times the second one to the third.
     Eigen::Matrix3d mw = w;
     mw.row(2) += d.x() * w.row(1) - d.y() * w.row(0);
-    equations->hessian.AddOffDiagonal<3>(slot, -mw);
+    equations->hessian.AddOffDiagonal(slot, -mw);
     mw.col(2) += d.x() * mw.col(1) - d.y() * mw.col(0);
-    equations->hessian.diagonal<3>(column_i) += mw;
+    equations->hessian.diagonal(column_i) += mw;
     gradient_j.z() += d.x() * gradient_j.y() - d.y() * gradient_j.x();
     equations->minus_gradient[column_i] += gradient_j;
   }
@@ -61,8 +61,8 @@ void AddEdge(const Edge& edge, const Eigen::Vector3d& weighted_error, double wei
 
 void SetZero(const BlockStructure& structure, NormalEquations* equations) {
   equations->cost = 0.0;
-  equations->hessian.SetZero<3>(structure);
-  equations->minus_gradient.assign(structure.columns(), BlockVector<3>::Zero());
+  equations->hessian.SetZero(structure);
+  equations->minus_gradient.assign(structure.columns(), PoseMatrix::Segment::Zero());
 }
 
 }  // namespace

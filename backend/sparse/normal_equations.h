@@ -15,8 +15,8 @@ namespace gmapping_spa::spa {
 // information Lambda of each edge weighted by its loss.
 struct NormalEquations {
   double cost = 0.0;
-  BlockMatrix hessian;  // 3x3
-  std::vector<BlockVector<3>> minus_gradient;
+  PoseMatrix hessian;
+  PoseMatrix::Vector minus_gradient;
 };
 
 // Linearises `graph` at `poses` (one for each node) straight into the blocks of `structure`.

@@ -16,7 +16,7 @@
 
 #include "backend/cost/graph_cost.h"
 #include "backend/graph/g2o_io.h"
-#include "backend/initialization/initial_guess.h"
+#include "backend/graph/initial_guess.h"
 #include "backend/plugin/plugin_loader.h"
 
 namespace gmapping_spa::backend {

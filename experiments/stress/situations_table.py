@@ -8,8 +8,6 @@ brackets), and how many seeds failed. Who failed: a run that ended with an error
 of position or heading is above the bound in situations_bounds.yml. With wheel odometry errors of the
 wheels cannot be mended: there a bound holds only where the wheels are exact.
 """
-import argparse
-import os
 import pathlib
 import statistics
 import sys
@@ -19,7 +17,8 @@ sys.path.insert(0, str(ROOT / "experiments" / "workflow"))
 
 from make_report import measure
 from report.table import Shown, Table
-from study import StudyError, load_study
+from study import Study
+from table_script import write_table
 from yaml_entry import read_yaml
 
 BOUNDS = pathlib.Path(__file__).resolve().parent / "situations_bounds.yml"
@@ -84,31 +83,10 @@ def situations(measured, bounds: dict[str, tuple[float, float]]) -> Table:
           *(row.get(s) for s in settings)] for situation, row in rows.items()])
 
 
-def parse_arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("study", type=pathlib.Path, metavar="STUDY.yaml")
-    parser.add_argument("--work_dir", type=pathlib.Path, required=True, help="results of the runs")
-    parser.add_argument("--quick", action="store_true", help="the study's quick version")
-    parser.add_argument("--output", type=pathlib.Path, help="default: the work_dir's report/tables")
-    parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build" / "bin")
-    parser.add_argument("--data", type=pathlib.Path, default=pathlib.Path(
-        os.environ.get("GMAPPING_SPA_DATA", ROOT.parent / "shared" / "data")))
-    return parser.parse_args()
-
-
-def main() -> None:
-    args = parse_arguments()
-    output = args.output or args.work_dir / "report" / "tables"
-    try:
-        study = load_study(args.study, args.bin, args.data, args.quick)
-        bounds = read_bounds(BOUNDS, list(dict.fromkeys(c.dataset for c in study.configurations)))
-        table = situations(measure(study, args.work_dir), bounds)
-        table.write(output)
-    except (StudyError, OSError) as error:
-        sys.exit(f"situations_table.py: error: {error}")
-    print(f"table: {output / table.name}.md")
+def make(study: Study, work_dir: pathlib.Path) -> Table:
+    bounds = read_bounds(BOUNDS, list(dict.fromkeys(c.dataset for c in study.configurations)))
+    return situations(measure(study, work_dir), bounds)
 
 
 if __name__ == "__main__":
-    main()
+    write_table(__doc__, make)

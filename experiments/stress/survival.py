@@ -7,8 +7,6 @@ A row a stress, a column a dataset: the mean error of the relations (median over
 in brackets), and how many seeds failed. Who failed: a run that ended with an error or without a score,
 and one whose error is above the limit, which is a multiple of what the same dataset gives unstressed.
 """
-import argparse
-import os
 import pathlib
 import statistics
 import sys
@@ -19,7 +17,8 @@ sys.path.insert(0, str(ROOT / "experiments" / "workflow"))
 from datasets import UNSTRESSED
 from make_report import measure
 from report.table import Shown, Table
-from study import StudyError, load_study
+from study import Study, StudyError
+from table_script import write_table
 
 METRIC = "relation_error_m"
 MULTIPLE, AT_LEAST_M = 1.25, 0.005  # of the unstressed error, and more than it
@@ -81,34 +80,13 @@ def survival(measured) -> Table:
         ["stress", *settings, *datasets], table)
 
 
-def parse_arguments() -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("study", type=pathlib.Path, metavar="STUDY.yaml")
-    parser.add_argument("--work_dir", type=pathlib.Path, required=True, help="results of the runs")
-    parser.add_argument("--quick", action="store_true", help="the study's quick version")
-    parser.add_argument("--output", type=pathlib.Path, help="default: the work_dir's report/tables")
-    parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build" / "bin")
-    parser.add_argument("--data", type=pathlib.Path, default=pathlib.Path(
-        os.environ.get("GMAPPING_SPA_DATA", ROOT.parent / "shared" / "data")))
-    return parser.parse_args()
-
-
-def main() -> None:
-    args = parse_arguments()
-    output = args.output or args.work_dir / "report" / "tables"
-    try:
-        study = load_study(args.study, args.bin, args.data, args.quick)
-        for config in study.configurations:
-            if not all(dataset_and_kind(config)):
-                raise StudyError(f"{args.study}: dataset '{config.dataset}': expected a list of "
-                                 "stresses, found none")
-        table = survival(measure(study, args.work_dir))
-        table.write(output)
-    except (StudyError, OSError) as error:
-        sys.exit(f"survival.py: error: {error}")
-    print(f"table: {output / table.name}.md")
+def make(study: Study, work_dir: pathlib.Path) -> Table:
+    for config in study.configurations:
+        if not all(dataset_and_kind(config)):
+            raise StudyError(f"{study.path}: dataset '{config.dataset}': expected a list of "
+                             "stresses, found none")
+    return survival(measure(study, work_dir))
 
 
 if __name__ == "__main__":
-    main()
+    write_table(__doc__, make)

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -64,8 +63,12 @@ class RobustLoss : public ::ceres::LossFunction {
   return solver;
 }
 
-Summary OptimizeOrThrow(const Options& options, std::span<const backend::Edge> edges,
-                        std::span<backend::Node> nodes) {
+}  // namespace
+
+void CeresOptimizer::CheckOptions(const Options& options) const { SolverOptions(options); }
+
+Summary CeresOptimizer::Optimize(const Options& options, std::span<const backend::Edge> edges,
+                                 std::span<backend::Node> nodes) {
   backend::KeepsStart(options);  // as Ceres always does
   const PoseGraphView graph{nodes, edges};
   const ::ceres::Solver::Options solver_options = SolverOptions(options);
@@ -129,21 +132,6 @@ Summary OptimizeOrThrow(const Options& options, std::span<const backend::Edge> e
     }
   }
   return summary;
-}
-
-}  // namespace
-
-void CeresOptimizer::CheckOptions(const Options& options) const { SolverOptions(options); }
-
-Summary CeresOptimizer::Optimize(const Options& options, std::span<const backend::Edge> edges,
-                                 std::span<backend::Node> nodes) {
-  try {
-    return OptimizeOrThrow(options, edges, nodes);
-  } catch (const std::exception& error) {
-    Summary summary;
-    summary.message = error.what();
-    return summary;
-  }
 }
 
 }  // namespace gmapping_spa::ceres_backend

@@ -27,7 +27,7 @@ Summary Ended(Termination termination) {
 // node 0 by a metre.
 class Backend {
  public:
-  backend::OptimizationThread::OptimizeFunction Function() const {
+  GraphThread::OptimizeFunction Function() const {
     return [state = state_](PoseGraph* graph) {
       state->allowed.acquire();
       graph->nodes.at(0).world_T_node.x += 1.0;
@@ -142,11 +142,13 @@ TEST(GraphThread, FailureCostsOnlyItsResult) {
         return Ended(Termination::kFailure);
       case 2:
         throw std::runtime_error("out of luck");
+      case 3:
+        throw 42;
       default:
         return Ended(Termination::kNoConvergence);  // better than nothing
     }
   });
-  for (int failures = 1; failures <= 2; ++failures) {
+  for (int failures = 1; failures <= 3; ++failures) {
     thread.Start(GraphAt(10));
     EXPECT_FALSE(thread.Advance());
     EXPECT_FALSE(thread.Advance());
@@ -158,9 +160,9 @@ TEST(GraphThread, FailureCostsOnlyItsResult) {
   const std::optional<PoseGraph> taken = thread.Advance();
   ASSERT_TRUE(taken);
   EXPECT_EQ(XOf(*taken), 11);
-  EXPECT_EQ(thread.counts().started, 3);
+  EXPECT_EQ(thread.counts().started, 4);
   EXPECT_EQ(thread.counts().taken, 1);
-  EXPECT_EQ(thread.counts().failed, 2);
+  EXPECT_EQ(thread.counts().failed, 3);
 }
 
 TEST(GraphThread, GoesOnWithoutABackEndThatHangsAndTakesItsResultWhenItComes) {
@@ -250,6 +252,15 @@ TEST(GraphThread, RunGivesNothingWhileTheBackEndHangs) {
   EXPECT_FALSE(thread.Run(GraphAt(20)));
   EXPECT_EQ(thread.counts().started, 1);
   backend.Allow();
+}
+
+TEST(GraphThreadDeathTest, OptimizesOneSnapshotAtATime) {
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  const Backend backend;
+  backend.Allow();
+  GraphThread thread(Lockstep(1), backend.Function());
+  thread.Start(GraphAt(10));
+  EXPECT_DEATH(thread.Start(GraphAt(20)), "busy");
 }
 
 TEST(GraphThreadDeathTest, LockstepNeedsAtLeastOneScan) {

@@ -25,7 +25,7 @@ namespace {
 using backend::PoseGraph;
 using backend::SE2;
 using backend::Summary;
-using OptimizeFunction = backend::OptimizationThread::OptimizeFunction;
+using OptimizeFunction = GraphThread::OptimizeFunction;
 
 // As programs call it.
 OptimizeFunction Safely(std::shared_ptr<backend::Optimizer> optimizer) {

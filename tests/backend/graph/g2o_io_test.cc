@@ -7,6 +7,8 @@
 #include <sstream>
 #include <string>
 
+#include "tests/message_of.h"
+
 namespace gmapping_spa::backend {
 namespace {
 
@@ -22,12 +24,7 @@ std::string Write(const PoseGraph& graph) {
 }
 
 std::string ErrorOf(const std::string& text) {
-  try {
-    Read(text);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "no error";
+  return MessageOf([&] { Read(text); });
 }
 
 constexpr char kTwoNodes[] = "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\n";

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/message_of.h"
+
 namespace gmapping_spa::backend {
 namespace {
 
@@ -14,13 +16,10 @@ using ::testing::ElementsAre;
 std::string ErrorOf(const std::string& text) {
   std::istringstream in(text);
   NumberRows rows(in, "file.txt", "a b");
-  try {
+  return MessageOf([&] {
     while (rows.Next()) {
     }
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "no error";
+  });
 }
 
 TEST(NumberRows, SkipsCommentsAndBlankLinesAndTakesAnyBlanks) {

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tests/message_of.h"
+
 namespace gmapping_spa::backend {
 namespace {
 
@@ -26,12 +28,7 @@ std::string Written(const Trajectory& trajectory) {
 }
 
 std::string ErrorOf(const std::string& text) {
-  try {
-    Read(text);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "no error";
+  return MessageOf([&] { Read(text); });
 }
 
 void ExpectReadsBackExactly(const Trajectory& trajectory) {

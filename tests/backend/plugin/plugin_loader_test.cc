@@ -11,6 +11,7 @@
 #include "backend/scheduling/optimize_safely.h"
 #include "tests/backend/random_graph.h"
 #include "tests/built_back_ends.h"
+#include "tests/message_of.h"
 
 namespace gmapping_spa::backend {
 namespace {
@@ -26,12 +27,7 @@ using ::testing::ThrowsMessage;
 const std::vector<std::string> kFolders = {TEST_PLUGIN_FOLDER};
 
 std::string ErrorOf(const std::string& name) {
-  try {
-    LoadOptimizer(name, kFolders);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "no error";
+  return MessageOf([&] { LoadOptimizer(name, kFolders); });
 }
 
 std::string PathOf(const std::string& name) {

@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "tests/message_of.h"
+
 namespace gmapping_spa::backend {
 namespace {
 
@@ -15,12 +17,7 @@ constexpr SettingDescription kDescriptions[] = {
     ChoiceSetting("solver", "slow", "slow,fast", "a word")};
 
 std::string ErrorOf(const std::string& name, const std::string& value) {
-  try {
-    Settings(kDescriptions, {{name, value}});
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "no error";
+  return MessageOf([&] { Settings(kDescriptions, {{name, value}}); });
 }
 
 TEST(Settings, ReadsValuesOfEachType) {

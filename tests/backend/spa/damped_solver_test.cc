@@ -16,8 +16,8 @@ class DampedSolverTest : public testing::Test {
     structure_.Update(IndexGraph(graph));
     Linearize(graph, structure_.index(), structure_.blocks(), PosesOf(graph), {},
               &memory_.equations);
-    hessian_ = Dense<3>(structure_.blocks(), memory_.equations.hessian);
-    minus_gradient_ = Dense<3>(memory_.equations.minus_gradient);
+    hessian_ = Dense(structure_.blocks(), memory_.equations.hessian);
+    minus_gradient_ = Dense(memory_.equations.minus_gradient);
   }
 
   GraphStructure structure_;
@@ -31,14 +31,14 @@ TEST_F(DampedSolverTest, SolvesEq5AsDenseCholeskyDoes) {
   for (unsigned seed = 0; seed < 5; ++seed) {
     Linearized(seed);
     for (const double lambda : {0.0, 1e-3, 10.0}) {
-      std::vector<BlockVector<3>> step;
+      PoseMatrix::Vector step;
       ASSERT_TRUE(solver.Solve(structure_, lambda, LinearSolver::kBlock, &memory_, &step));
       Eigen::MatrixXd damped = hessian_;
       damped.diagonal() *= 1.0 + lambda;
       const Eigen::VectorXd expected = damped.llt().solve(minus_gradient_);
-      EXPECT_LT((Dense<3>(step) - expected).norm(), 1e-9 * (1.0 + expected.norm()));
+      EXPECT_LT((Dense(step) - expected).norm(), 1e-9 * (1.0 + expected.norm()));
       // The equations are as they were.
-      EXPECT_EQ(Dense<3>(structure_.blocks(), memory_.equations.hessian), hessian_);
+      EXPECT_EQ(Dense(structure_.blocks(), memory_.equations.hessian), hessian_);
     }
   }
 }
@@ -47,9 +47,9 @@ TEST_F(DampedSolverTest, PredictsByHowMuchTheQuadraticModelFalls) {
   Linearized(3);
   DampedSolver solver;
   for (const double lambda : {0.0, 0.5}) {
-    std::vector<BlockVector<3>> blocks;
+    PoseMatrix::Vector blocks;
     ASSERT_TRUE(solver.Solve(structure_, lambda, LinearSolver::kBlock, &memory_, &blocks));
-    const Eigen::VectorXd step = Dense<3>(blocks);
+    const Eigen::VectorXd step = Dense(blocks);
     const double decrease = minus_gradient_.dot(step) - 0.5 * step.dot(hessian_ * step);
     EXPECT_NEAR(PredictedDecrease(memory_.equations, lambda, blocks), decrease, 1e-9 * decrease);
   }

@@ -20,13 +20,12 @@ GraphStructure StructureOf(const backend::PoseGraph& graph) {
 template <int kSize>
 void ExpectSolvesLikeDenseCholesky(unsigned seed) {
   const GraphStructure structure = StructureOf(backend::RandomGraph(seed));
-  const BlockMatrix matrix = RandomMatrix<kSize>(structure.blocks(), seed);
-  std::vector<BlockVector<kSize>> x = RandomVector<kSize>(structure.blocks(), seed);
-  const Eigen::VectorXd expected =
-      Dense<kSize>(structure.blocks(), matrix).llt().solve(Dense<kSize>(x));
+  const BlockMatrix<kSize> matrix = RandomMatrix<kSize>(structure.blocks(), seed);
+  typename BlockMatrix<kSize>::Vector x = RandomVector<kSize>(structure.blocks(), seed);
+  const Eigen::VectorXd expected = Dense(structure.blocks(), matrix).llt().solve(Dense(x));
   BlockCholesky cholesky;
   ASSERT_TRUE(cholesky.Solve(structure.blocks(), structure.symbolic(), matrix, &x));
-  EXPECT_LT((Dense<kSize>(x) - expected).norm(), 1e-10 * expected.norm());
+  EXPECT_LT((Dense(x) - expected).norm(), 1e-10 * expected.norm());
 }
 
 TEST(BlockCholesky, SolvesLikeDenseCholesky) {
@@ -41,11 +40,11 @@ TEST(BlockCholesky, ServesMatricesOfDifferentSizesInTurn) {
   BlockCholesky cholesky;
   for (const int nodes : {30, 5, 1, 60}) {
     const GraphStructure structure = StructureOf(backend::RandomGraph(1, {.nodes = nodes}));
-    const BlockMatrix matrix = RandomMatrix<3>(structure.blocks(), 1);
-    std::vector<BlockVector<3>> x = RandomVector<3>(structure.blocks(), 1);
-    const Eigen::VectorXd right = Dense<3>(x);
+    const PoseMatrix matrix = RandomMatrix<3>(structure.blocks(), 1);
+    PoseMatrix::Vector x = RandomVector<3>(structure.blocks(), 1);
+    const Eigen::VectorXd right = Dense(x);
     ASSERT_TRUE(cholesky.Solve(structure.blocks(), structure.symbolic(), matrix, &x));
-    EXPECT_LT((Dense<3>(structure.blocks(), matrix) * Dense<3>(x) - right).norm(), 1e-9);
+    EXPECT_LT((Dense(structure.blocks(), matrix) * Dense(x) - right).norm(), 1e-9);
   }
 }
 
@@ -54,9 +53,9 @@ TEST(BlockCholesky, RefusesMatricesThatAreNotPositiveDefinite) {
   BlockCholesky cholesky;
   for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(),
                            std::numeric_limits<double>::infinity()}) {
-    BlockMatrix matrix = RandomMatrix<3>(structure.blocks(), 1);
-    matrix.diagonal<3>(7)(1, 1) = bad;
-    std::vector<BlockVector<3>> x = RandomVector<3>(structure.blocks(), 1);
+    PoseMatrix matrix = RandomMatrix<3>(structure.blocks(), 1);
+    matrix.diagonal(7)(1, 1) = bad;
+    PoseMatrix::Vector x = RandomVector<3>(structure.blocks(), 1);
     EXPECT_FALSE(cholesky.Solve(structure.blocks(), structure.symbolic(), matrix, &x)) << bad;
   }
 }

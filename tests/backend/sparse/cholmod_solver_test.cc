@@ -18,11 +18,11 @@ TEST(CholmodSolver, AgreesWithBlockCholesky) {
     structure.Update(
         backend::IndexGraph(backend::RandomGraph(seed, {.nodes = 100, .loop_closures = 80})));
     for (const bool new_structure : {true, false}) {
-      const BlockMatrix matrix = RandomMatrix<3>(structure.blocks(), seed + new_structure);
-      std::vector<BlockVector<3>> x = RandomVector<3>(structure.blocks(), seed), y = x;
+      const PoseMatrix matrix = RandomMatrix<3>(structure.blocks(), seed + new_structure);
+      PoseMatrix::Vector x = RandomVector<3>(structure.blocks(), seed), y = x;
       ASSERT_TRUE(cholmod.Solve(structure.blocks(), matrix, new_structure, &x));
       ASSERT_TRUE(cholesky.Solve(structure.blocks(), structure.symbolic(), matrix, &y));
-      EXPECT_LT((Dense<3>(x) - Dense<3>(y)).norm(), 1e-10 * Dense<3>(y).norm());
+      EXPECT_LT((Dense(x) - Dense(y)).norm(), 1e-10 * Dense(y).norm());
     }
   }
 }
@@ -30,9 +30,9 @@ TEST(CholmodSolver, AgreesWithBlockCholesky) {
 TEST(CholmodSolver, RefusesMatricesThatAreNotPositiveDefinite) {
   GraphStructure structure;
   structure.Update(backend::IndexGraph(backend::RandomGraph(1)));
-  BlockMatrix matrix = RandomMatrix<3>(structure.blocks(), 1);
-  matrix.diagonal<3>(7)(1, 1) = -1.0;
-  std::vector<BlockVector<3>> x = RandomVector<3>(structure.blocks(), 1);
+  PoseMatrix matrix = RandomMatrix<3>(structure.blocks(), 1);
+  matrix.diagonal(7)(1, 1) = -1.0;
+  PoseMatrix::Vector x = RandomVector<3>(structure.blocks(), 1);
   EXPECT_FALSE(CholmodSolver().Solve(structure.blocks(), matrix, true, &x));
 }
 

@@ -52,9 +52,9 @@ TEST(Linearize, IsTheTextbooksNormalEquations) {
       Linearize(graph, index, structure, PosesOf(graph), loss, &equations);
       const DenseEquations expected = Textbook(graph, index, structure, PosesOf(graph), loss);
       EXPECT_NEAR(equations.cost, GraphCost(graph, loss), 1e-12 * equations.cost);
-      EXPECT_LT((Dense<3>(structure, equations.hessian) - expected.hessian).norm(),
+      EXPECT_LT((Dense(structure, equations.hessian) - expected.hessian).norm(),
                 1e-12 * expected.hessian.norm());
-      EXPECT_LT((Dense<3>(equations.minus_gradient) - expected.minus_gradient).norm(),
+      EXPECT_LT((Dense(equations.minus_gradient) - expected.minus_gradient).norm(),
                 1e-11 * expected.minus_gradient.norm());
     }
   }
@@ -70,7 +70,7 @@ TEST(LinearizeForTranslations, IsExactWhereTheMeasurementsAgree) {
   NormalEquations equations;
   LinearizeForTranslations(graph, index, structure, start, &equations);
   const Eigen::VectorXd solution =
-      Dense<3>(structure, equations.hessian).llt().solve(Dense<3>(equations.minus_gradient));
+      Dense(structure, equations.hessian).llt().solve(Dense(equations.minus_gradient));
   for (int k = 0; k < structure.columns(); ++k) {
     const SE2& expected = truth[structure.node_of_column[k]];
     EXPECT_LT((solution.segment<3>(3 * k) - Eigen::Vector3d(expected.x, expected.y, 0)).norm(),

@@ -14,7 +14,7 @@ TEST(ExtendPattern, FindsTheEntriesOfTheDenseFactor) {
         OrderByMinimumDegree(backend::IndexGraph(backend::RandomGraph(seed)));
     SymbolicFactor factor;
     ExtendPattern(structure, &factor);
-    const Eigen::MatrixXd l = Dense<2>(structure, RandomMatrix<2>(structure, seed)).llt().matrixL();
+    const Eigen::MatrixXd l = Dense(structure, RandomMatrix<2>(structure, seed)).llt().matrixL();
     std::int64_t products = 0;
     std::vector<int> in_column(structure.columns(), 0);
     for (int k = 0; k < structure.columns(); ++k) {

@@ -1,12 +1,12 @@
 #include "experiments/apps/error_picture.h"
 
-#include <cairo.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <stdexcept>
 #include <string>
 
+#include "tests/experiments/apps/picture.h"
 #include "tests/temporary_folder.h"
 
 namespace gmapping_spa::apps {
@@ -37,26 +37,22 @@ class ErrorPicture : public ::testing::Test {
     const auto seen = metrics::LookAround(truth, {{0.0, {-0.3, 2.6, 0.0}}}, 30.0);
     const std::string path = folder_.Path("errors.png");
     WriteErrorPicture(truth, metrics::CompareMaps(truth, seen, map, {}), 0.1, path);
-    surface_ = cairo_image_surface_create_from_png(path.c_str());
+    picture_ = ReadPicture(path);
   }
-  ~ErrorPicture() override { cairo_surface_destroy(surface_); }
 
   // In the middle of a cell; half a row more is on its upper edge.
   std::uint32_t ColorAt(double column, double row) const {
-    const int x = static_cast<int>((column + 0.5) * 20), y = static_cast<int>((19.5 - row) * 20);
-    const unsigned char* line = cairo_image_surface_get_data(surface_) +
-                                y * static_cast<long>(cairo_image_surface_get_stride(surface_));
-    return reinterpret_cast<const std::uint32_t*>(line)[x] & 0xffffff;
+    return picture_.at(static_cast<int>((column + 0.5) * 20), static_cast<int>((19.5 - row) * 20));
   }
 
   TemporaryFolder folder_;
-  cairo_surface_t* surface_ = nullptr;
+  Picture picture_;
 };
 
 TEST_F(ErrorPicture, OfTheTruthIsBlackWallsInWhiteSpace) {
   Draw(World());
-  EXPECT_EQ(cairo_image_surface_get_width(surface_), 800);
-  EXPECT_GT(cairo_image_surface_get_height(surface_), 400) << "with a legend";
+  EXPECT_EQ(picture_.width, 800);
+  EXPECT_GT(picture_.height, 400) << "with a legend";
   EXPECT_EQ(ColorAt(10, 10), kWhite);
   EXPECT_EQ(ColorAt(10, 0.5), kBlack) << "the upper edge of the wall";
   const std::uint32_t unseen = ColorAt(35, 10);

@@ -2,12 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "tests/command_error.h"
 #include "tests/run_command.h"
 #include "tests/temporary_folder.h"
 
@@ -30,15 +30,6 @@ class EvaluateApps : public ::testing::Test {
 };
 using EvaluateRelationsApp = EvaluateApps;
 using EvaluateTrajectoryApp = EvaluateApps;
-
-// Status 1, nothing on stdout, one line on stderr; returns that line.
-std::string ErrorOf(const std::vector<std::string>& command) {
-  const CommandResult result = RunCommand(command);
-  EXPECT_EQ(result.status, 1);
-  EXPECT_EQ(result.out, "");
-  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-  return result.err;
-}
 
 TEST_F(EvaluateRelationsApp, PrintsJson) {
   const auto result =

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "frontend/map/map_server_io.h"
+#include "tests/command_error.h"
 #include "tests/run_command.h"
 #include "tests/temporary_folder.h"
 
@@ -57,15 +57,6 @@ nlohmann::json JsonOf(const std::vector<std::string>& command) {
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
   return nlohmann::json::parse(result.out);
-}
-
-// Status 1, nothing on stdout, one line on stderr; returns that line.
-std::string ErrorOf(const std::vector<std::string>& command) {
-  const CommandResult result = RunCommand(command);
-  EXPECT_EQ(result.status, 1);
-  EXPECT_EQ(result.out, "");
-  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-  return result.err;
 }
 
 TEST_F(EvaluateMapApp, LaysTheMapOverTheTruthByTheTrajectories) {

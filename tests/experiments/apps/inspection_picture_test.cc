@@ -1,6 +1,5 @@
 #include "experiments/apps/inspection_picture.h"
 
-#include <cairo.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,35 +9,23 @@
 #include <string>
 #include <vector>
 
+#include "tests/experiments/apps/picture.h"
+
 namespace gmapping_spa::apps {
 namespace {
 
 constexpr std::uint32_t kWhite = 0xffffff, kRed = 0xd91919, kBlue = 0x1940d9, kGreen = 0x008c8c,
                         kGrey = 0x737373;
 
-struct Picture {
-  int width = 0, height = 0;
-  std::vector<std::uint32_t> pixels;
-
-  std::int64_t Count(std::uint32_t color) const {
-    return std::count(pixels.begin(), pixels.end(), color);
-  }
-};
-
 Picture Draw(const LogSummary& summary) {
   const std::string path = testing::TempDir() + "inspection_picture_" +
                            testing::UnitTest::GetInstance()->current_test_info()->name() + ".png";
   WriteInspectionPicture(summary, path);
-  cairo_surface_t* surface = cairo_image_surface_create_from_png(path.c_str());
-  Picture picture{
-      cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
-  for (int y = 0; y < picture.height; ++y) {
-    const auto* line = reinterpret_cast<const std::uint32_t*>(
-        cairo_image_surface_get_data(surface) + y * cairo_image_surface_get_stride(surface));
-    for (int x = 0; x < picture.width; ++x) picture.pixels.push_back(line[x] & 0xffffff);
-  }
-  cairo_surface_destroy(surface);
-  return picture;
+  return ReadPicture(path);
+}
+
+std::int64_t Count(const Picture& picture, std::uint32_t color) {
+  return std::count(picture.pixels.begin(), picture.pixels.end(), color);
 }
 
 // A robot on a round, with one step that is too fast.
@@ -63,28 +50,28 @@ TEST(InspectionPicture, ShowsWayScansRangesAndSteps) {
   const Picture picture = Draw(Round());
   EXPECT_EQ(picture.width, 1600);
   EXPECT_EQ(picture.height, 1200);
-  EXPECT_GT(picture.Count(kBlue), 100);
-  EXPECT_GT(picture.Count(kGrey), 50);
-  EXPECT_GT(picture.Count(kGreen), 10000);
-  EXPECT_EQ(picture.Count(kRed), 0);
+  EXPECT_GT(Count(picture, kBlue), 100);
+  EXPECT_GT(Count(picture, kGrey), 50);
+  EXPECT_GT(Count(picture, kGreen), 10000);
+  EXPECT_EQ(Count(picture, kRed), 0);
 }
 
 TEST(InspectionPicture, FaultsAreRed) {
   LogSummary summary = Round();
   summary.steps[50].fault = sensor::OdometryFault::kUnchanged;
-  EXPECT_EQ(Draw(summary).Count(kRed), 0);
+  EXPECT_EQ(Count(Draw(summary), kRed), 0);
   summary.steps[50].fault = sensor::OdometryFault::kImpossible;
-  EXPECT_GT(Draw(summary).Count(kRed), 20);
+  EXPECT_GT(Count(Draw(summary), kRed), 20);
 }
 
 TEST(InspectionPicture, SurvivesALogWithoutOdometryAndASingleScan) {
   LogSummary nothing;
-  EXPECT_GT(Draw(nothing).Count(kWhite), 1000000);
+  EXPECT_GT(Count(Draw(nothing), kWhite), 1000000);
   LogSummary single = Round();
   single.odom_T_robot.resize(1);
   single.steps.clear();
   single.samples.clear();
-  EXPECT_GT(Draw(single).Count(kBlue), 0);
+  EXPECT_GT(Count(Draw(single), kBlue), 0);
 }
 
 TEST(InspectionPicture, SaysWhichFileCannotBeWritten) {

@@ -1,6 +1,5 @@
 #include "experiments/apps/map_picture.h"
 
-#include <cairo.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -8,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "tests/experiments/apps/picture.h"
 
 namespace gmapping_spa::apps {
 namespace {
@@ -30,27 +31,11 @@ TrinaryMap Room(int size, double resolution_m) {
   return map;
 }
 
-struct Picture {
-  int width = 0, height = 0;
-  std::vector<std::uint32_t> pixels;
-
-  std::uint32_t at(int x, int y) const { return pixels[y * width + x]; }
-};
-
 Picture Draw(const TrinaryMap& map, const Trajectory& trajectory, const Stretches& stretches = {}) {
   const std::string path = testing::TempDir() + "map_picture_" +
                            testing::UnitTest::GetInstance()->current_test_info()->name() + ".png";
   WriteMapPicture(map, trajectory, path, stretches);
-  cairo_surface_t* surface = cairo_image_surface_create_from_png(path.c_str());
-  Picture picture{
-      cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
-  for (int y = 0; y < picture.height; ++y) {
-    const auto* line = reinterpret_cast<const std::uint32_t*>(
-        cairo_image_surface_get_data(surface) + y * cairo_image_surface_get_stride(surface));
-    for (int x = 0; x < picture.width; ++x) picture.pixels.push_back(line[x] & 0xffffff);
-  }
-  cairo_surface_destroy(surface);
-  return picture;
+  return ReadPicture(path);
 }
 
 TEST(MapPicture, IsCroppedToKnownCellsAndEnlarged) {

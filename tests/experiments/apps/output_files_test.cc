@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/message_of.h"
 #include "tests/temporary_folder.h"
 
 namespace gmapping_spa::apps {
@@ -33,12 +34,7 @@ class OutputFilesTest : public ::testing::Test {
 
   // The message of constructing with `folder`.
   static std::string ErrorOf(const std::string& folder) {
-    try {
-      OutputFiles files(folder);
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "no error";
+    return MessageOf([&] { OutputFiles files(folder); });
   }
 
   TemporaryFolder folder_;
@@ -100,13 +96,8 @@ TEST_F(OutputFilesTest, AFullDeviceIsAnErrorAndLeavesNothing) {
   {
     OutputFiles files(Path("new"));
     fs::create_symlink("/dev/full", files.TemporaryPath("a.txt"));
-    try {
-      files.Write("a.txt", Text("A"));
-      FAIL() << "no error";
-    } catch (const std::runtime_error& error) {
-      EXPECT_EQ(std::string(error.what()),
-                "cannot write '" + Path("new/a.txt") + "': No space left on device");
-    }
+    EXPECT_EQ(MessageOf([&] { files.Write("a.txt", Text("A")); }),
+              "cannot write '" + Path("new/a.txt") + "': No space left on device");
   }
   EXPECT_FALSE(fs::exists(Path("new")));
 }

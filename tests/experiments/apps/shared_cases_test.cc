@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "experiments/apps/input_file.h"
 #include "experiments/metrics/trajectory_error.h"
 #include "frontend/map/map_server_io.h"
+#include "tests/command_error.h"
 #include "tests/real_data.h"
 #include "tests/run_command.h"
 #include "tests/temporary_folder.h"
@@ -35,12 +35,6 @@ class SharedCases : public ::testing::Test {
         RunCommand({OPTIMIZE_GRAPH, "--input=" + Case(name), "--backend=spa", "--loss=" + loss});
     EXPECT_EQ(result.status, 0) << result.err;
     return nlohmann::json::parse(result.out);
-  }
-  static std::string ErrorOf(const std::vector<std::string>& words) {
-    const CommandResult result = RunCommand(words);
-    EXPECT_EQ(result.status, 1);
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    return result.err;
   }
   CommandResult Map(const std::string& name) const {
     return RunCommand({GMAPPING_SPA, "--log=" + Case(name), "--output_dir=" + folder_.Path("out")});

@@ -10,21 +10,10 @@
 #include "experiments/simulation/carmen_writer.h"
 #include "experiments/simulation/simulation.h"
 #include "frontend/sensor/open_log.h"
+#include "tests/experiments/simulation/room.h"
 
 namespace gmapping_spa::simulation {
 namespace {
-
-using map::CellState;
-
-// A room of 8 m x 6 m with walls one cell (0.1 m) thick.
-World Room() {
-  map::TrinaryMap raster{80, 60, 0.1, 0.0, 0.0, std::vector<CellState>(4800, CellState::kFree)};
-  for (int column = 0; column < 80; ++column) {
-    raster.at(column, 0) = raster.at(column, 59) = CellState::kOccupied;
-  }
-  for (int row = 0; row < 60; ++row) raster.at(0, row) = raster.at(79, row) = CellState::kOccupied;
-  return World(raster);
-}
 
 // Several turns of the robot, so that its heading passes half a turn, and beams without return.
 SimulationOptions Options() {

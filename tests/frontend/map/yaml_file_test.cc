@@ -4,8 +4,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <string>
+
+#include "tests/message_of.h"
 
 namespace gmapping_spa::map {
 namespace {
@@ -19,14 +20,6 @@ class YamlFileTest : public ::testing::Test {
   YamlFile Read(const std::string& text) {
     std::ofstream(path_) << text;
     return YamlFile(path_);
-  }
-  static std::string ComplaintOf(const std::function<void()>& read) {
-    try {
-      read();
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "";
   }
   void TearDown() override { std::filesystem::remove(path_); }
 
@@ -51,23 +44,23 @@ TEST_F(YamlFileTest, FlagsAreBooleansOrZeroAndOne) {
   EXPECT_TRUE(yaml.Flag("b"));
   EXPECT_FALSE(yaml.Flag("c"));
   EXPECT_TRUE(yaml.Flag("d"));
-  EXPECT_EQ(ComplaintOf([&] { yaml.Flag("e"); }),
+  EXPECT_EQ(MessageOf([&] { yaml.Flag("e"); }),
             path_ + ":5: expected 0, 1, false or true for 'e', found '2'");
-  EXPECT_THAT(ComplaintOf([&] { yaml.Flag("f"); }), HasSubstr("'perhaps'"));
+  EXPECT_THAT(MessageOf([&] { yaml.Flag("f"); }), HasSubstr("'perhaps'"));
 }
 
 TEST_F(YamlFileTest, ComplaintsNameTheFileAndTheLine) {
   const YamlFile yaml = Read("a: 1\nb: word\nc: .nan\nd: [1]\n");
-  EXPECT_THAT(ComplaintOf([&] { yaml.Number("b"); }), StartsWith(path_ + ":2: "));
-  EXPECT_THAT(ComplaintOf([&] { yaml.Number("c"); }), StartsWith(path_ + ":3: "));
-  EXPECT_THAT(ComplaintOf([&] { yaml.Numbers(yaml.Get("d"), 2, "[x, y]"); }),
+  EXPECT_THAT(MessageOf([&] { yaml.Number("b"); }), StartsWith(path_ + ":2: "));
+  EXPECT_THAT(MessageOf([&] { yaml.Number("c"); }), StartsWith(path_ + ":3: "));
+  EXPECT_THAT(MessageOf([&] { yaml.Numbers(yaml.Get("d"), 2, "[x, y]"); }),
               ::testing::AllOf(StartsWith(path_ + ":4: "), HasSubstr("[x, y]")));
-  EXPECT_THAT(ComplaintOf([&] { yaml.Items("a"); }), StartsWith(path_ + ":1: "));
+  EXPECT_THAT(MessageOf([&] { yaml.Items("a"); }), StartsWith(path_ + ":1: "));
 }
 
 TEST_F(YamlFileTest, MisspeltKeyIsRefusedWithThoseThatAreAllowed) {
   const YamlFile yaml = Read("size: 1\nresolutoin: 2\n");
-  EXPECT_THAT(ComplaintOf([&] {
+  EXPECT_THAT(MessageOf([&] {
                 yaml.AllowOnly({"size", "resolution"});
               }),
               ::testing::AllOf(StartsWith(path_ + ":2: "), HasSubstr("size, resolution"),
@@ -77,13 +70,13 @@ TEST_F(YamlFileTest, MisspeltKeyIsRefusedWithThoseThatAreAllowed) {
 
 TEST_F(YamlFileTest, MissingKeyAndMissingFileAreErrors) {
   const YamlFile yaml = Read("a: 1\n");
-  EXPECT_THAT(ComplaintOf([&] { yaml.Get("b"); }), HasSubstr("the key 'b'"));
-  EXPECT_THAT(ComplaintOf([] { YamlFile("/nowhere.yaml"); }), StartsWith("/nowhere.yaml: "));
+  EXPECT_THAT(MessageOf([&] { yaml.Get("b"); }), HasSubstr("the key 'b'"));
+  EXPECT_THAT(MessageOf([] { YamlFile("/nowhere.yaml"); }), StartsWith("/nowhere.yaml: "));
 }
 
 TEST_F(YamlFileTest, WhatIsNoTableOfKeysIsAnError) {
-  EXPECT_THAT(ComplaintOf([&] { Read("[1, 2]\n"); }), HasSubstr("a table of keys"));
-  EXPECT_THAT(ComplaintOf([&] { Read("a: [1\n"); }), HasSubstr("expected YAML"));
+  EXPECT_THAT(MessageOf([&] { Read("[1, 2]\n"); }), HasSubstr("a table of keys"));
+  EXPECT_THAT(MessageOf([&] { Read("a: [1\n"); }), HasSubstr("expected YAML"));
 }
 
 }  // namespace

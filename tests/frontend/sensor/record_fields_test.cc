@@ -3,23 +3,15 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <functional>
 #include <string>
+
+#include "tests/message_of.h"
 
 namespace gmapping_spa::sensor {
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-std::string ComplaintOf(const std::function<void()>& read) {
-  try {
-    read();
-  } catch (const MalformedRecord& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(RecordFields, AreSeparatedByBlanksAndTabs) {
   RecordFields fields("  ODOM \t 1.5");
@@ -42,7 +34,8 @@ TEST(RecordFields, CountedNumbersEndWhereTheCountSays) {
 }
 
 TEST(RecordFields, CountLargerThanTheLineIsToldBeforeAnyMemoryIsAskedFor) {
-  EXPECT_THAT(ComplaintOf([] { RecordFields("99999999999999 1 2").CountedNumbers("ranges"); }),
+  EXPECT_THAT(MessageOf<MalformedRecord>(
+                  [] { RecordFields("99999999999999 1 2").CountedNumbers("ranges"); }),
               HasSubstr("expected 99999999999999 ranges, found a shorter line"));
 }
 
@@ -53,19 +46,22 @@ TEST(RecordFields, NumberThatNoDoubleHoldsIsNan) {
 
 TEST(RecordFields, CoordinatesAndStampsMustBeFiniteAndOfSaneSize) {
   for (const char* word : {"nan", "inf", "-inf", "1e999"}) {
-    EXPECT_THAT(ComplaintOf([&] { RecordFields(word).FiniteNumber("x"); }), HasSubstr("a finite x"))
+    EXPECT_THAT(MessageOf<MalformedRecord>([&] { RecordFields(word).FiniteNumber("x"); }),
+                HasSubstr("a finite x"))
         << word;
   }
-  EXPECT_THAT(ComplaintOf([&] { RecordFields("1e10").FiniteNumber("x"); }),
+  EXPECT_THAT(MessageOf<MalformedRecord>([&] { RecordFields("1e10").FiniteNumber("x"); }),
               HasSubstr("x of at most 1e+09"));
   EXPECT_EQ(RecordFields("1e10").Stamp(), 1e10);
   EXPECT_THROW(RecordFields("1e13").Stamp(), MalformedRecord);
 }
 
 TEST(RecordFields, MissingFieldAndOtherWordAreNamed) {
-  EXPECT_THAT(ComplaintOf([] { RecordFields(" ").Word("host"); }), HasSubstr("host"));
-  EXPECT_THAT(ComplaintOf([] { RecordFields("1.5x").Number("range"); }), HasSubstr("'1.5x'"));
-  EXPECT_THAT(ComplaintOf([] { RecordFields("-1 2").CountedNumbers("ranges"); }),
+  EXPECT_THAT(MessageOf<MalformedRecord>([] { RecordFields(" ").Word("host"); }),
+              HasSubstr("host"));
+  EXPECT_THAT(MessageOf<MalformedRecord>([] { RecordFields("1.5x").Number("range"); }),
+              HasSubstr("'1.5x'"));
+  EXPECT_THAT(MessageOf<MalformedRecord>([] { RecordFields("-1 2").CountedNumbers("ranges"); }),
               HasSubstr("number of ranges"));
 }
 

@@ -7,6 +7,7 @@
 #include "backend/cost/graph_cost.h"
 #include "backend/spa/spa_optimizer.h"
 #include "tests/backend/random_graph.h"
+#include "tests/message_of.h"
 
 namespace gmapping_spa::ceres_backend {
 namespace {
@@ -64,16 +65,14 @@ TEST(CeresOptimizer, OutOfIterationsIsNoConvergenceAndNotWorse) {
   EXPECT_LE(GraphCost(graph), summary.initial_cost);
 }
 
-TEST(CeresOptimizer, SettingsThatMakeNoSenseAreFailuresThatLeaveThePoses) {
+TEST(CeresOptimizer, SettingsThatMakeNoSenseAreRefusedAndLeaveThePoses) {
   for (const auto& [name, value] : {std::pair("trust_region", "circle"), std::pair("threads", "0"),
                                     std::pair("trust_regoin", "dogleg")}) {
     PoseGraph graph = backend::RandomGraph(1);
     const double cost = GraphCost(graph);
     Options options;
     options.settings = {{name, value}};
-    const Summary summary = Optimize(&graph, options);
-    EXPECT_EQ(summary.termination, Termination::kFailure) << name;
-    EXPECT_THAT(summary.message, HasSubstr(name));
+    EXPECT_THAT(MessageOf([&] { Optimize(&graph, options); }), HasSubstr(name));
     EXPECT_EQ(GraphCost(graph), cost) << name;
   }
 }

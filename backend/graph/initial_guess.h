@@ -1,6 +1,6 @@
 // Initial poses by chaining measurements.
-#ifndef GMAPPING_SPA_BACKEND_INITIALIZATION_INITIAL_GUESS_H_
-#define GMAPPING_SPA_BACKEND_INITIALIZATION_INITIAL_GUESS_H_
+#ifndef GMAPPING_SPA_BACKEND_GRAPH_INITIAL_GUESS_H_
+#define GMAPPING_SPA_BACKEND_GRAPH_INITIAL_GUESS_H_
 
 #include <vector>
 
@@ -21,4 +21,4 @@ void InitializeFromSpanningTree(const PoseGraphView& graph, const GraphIndex& in
 
 }  // namespace gmapping_spa::backend
 
-#endif  // GMAPPING_SPA_BACKEND_INITIALIZATION_INITIAL_GUESS_H_
+#endif  // GMAPPING_SPA_BACKEND_GRAPH_INITIAL_GUESS_H_

@@ -1,4 +1,4 @@
-#include "backend/initialization/initial_guess.h"
+#include "backend/graph/initial_guess.h"
 
 #include <queue>
 

@@ -1,0 +1,97 @@
+// How a graph thread ends: its function is destroyed when neither the object nor its thread is
+// there any more.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <future>
+#include <latch>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "frontend/graph_thread.h"
+
+namespace gmapping_spa::frontend {
+namespace {
+
+using backend::PoseGraph;
+using backend::Summary;
+
+// Tells when it is destroyed.
+struct Farewell {
+  Farewell() = default;
+  Farewell(const Farewell&) = delete;
+  Farewell& operator=(const Farewell&) = delete;
+  ~Farewell() { said.set_value(); }
+  std::promise<void> said;
+};
+
+// What a test and an optimization tell each other.
+struct Gate {
+  std::latch entered{1};  // by the optimization, when it begins
+  std::latch opened{1};   // by the test, to let it go on
+};
+
+bool IsReady(const std::future<void>& future) {
+  return future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+class GraphThreadEnd : public testing::Test {
+ protected:
+  // With a back end that hangs until the gate is opened.
+  std::unique_ptr<GraphThread> MakeThread(double patience_s) {
+    return std::make_unique<GraphThread>(
+        GraphThread::Options{.patience_s = patience_s},
+        [gate = gate_, farewell = std::move(farewell_)](PoseGraph*) {
+          gate->entered.count_down();
+          gate->opened.wait();
+          return Summary();
+        });
+  }
+
+  const std::shared_ptr<Gate> gate_ = std::make_shared<Gate>();
+  std::shared_ptr<Farewell> farewell_ = std::make_shared<Farewell>();
+  const std::future<void> ended_ = farewell_->said.get_future();
+};
+
+constexpr double kForEver = std::numeric_limits<double>::infinity();
+
+TEST_F(GraphThreadEnd, DoesNotWaitWhenIdle) {
+  MakeThread(0.0).reset();
+  EXPECT_TRUE(IsReady(ended_));
+}
+
+TEST_F(GraphThreadEnd, DropsAResultThatWasNotTaken) {
+  gate_->opened.count_down();
+  std::unique_ptr<GraphThread> thread = MakeThread(kForEver);
+  thread->Start({});
+  gate_->entered.wait();
+  thread.reset();
+  EXPECT_TRUE(IsReady(ended_));
+}
+
+TEST_F(GraphThreadEnd, WaitsForWhatRuns) {
+  std::unique_ptr<GraphThread> thread = MakeThread(kForEver);
+  thread->Start({});
+  gate_->entered.wait();
+  const std::future<void> destroyed = std::async(std::launch::async, [&] { thread.reset(); });
+  EXPECT_EQ(destroyed.wait_for(std::chrono::milliseconds(10)), std::future_status::timeout);
+  EXPECT_FALSE(IsReady(ended_));
+  gate_->opened.count_down();
+  destroyed.wait();
+  EXPECT_TRUE(IsReady(ended_));
+}
+
+TEST_F(GraphThreadEnd, LeavesWhatHangsToItself) {
+  std::unique_ptr<GraphThread> thread = MakeThread(0.01);
+  thread->Start({});
+  gate_->entered.wait();
+  thread.reset();
+  // The destructor has returned while the optimization still hangs.
+  EXPECT_FALSE(IsReady(ended_));
+  gate_->opened.count_down();
+  ended_.wait();
+}
+
+}  // namespace
+}  // namespace gmapping_spa::frontend
