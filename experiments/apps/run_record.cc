@@ -14,10 +14,6 @@
 namespace gmapping_spa::apps {
 namespace {
 
-bool IsOwnFlag(const gflags::CommandLineFlagInfo& flag) {
-  return flag.filename.find("experiments/apps/") != std::string::npos;
-}
-
 Json FlagValue(const gflags::CommandLineFlagInfo& flag) {
   if (flag.type == "bool") return flag.current_value == "true";
   if (flag.type == "string") return flag.current_value;
@@ -29,11 +25,12 @@ Json ResultFlags() {
   // Of files it is the content that counts, which stands under "input".
   static const std::set<std::string> kNoInfluence = {"log",       "world",      "path",
                                                      "obstacles", "output_dir", "threads"};
-  std::vector<gflags::CommandLineFlagInfo> flags;
-  gflags::GetAllFlags(&flags);
   Json json;
-  for (const gflags::CommandLineFlagInfo& flag : flags) {
-    if (IsOwnFlag(flag) && !kNoInfluence.contains(flag.name)) json[flag.name] = FlagValue(flag);
+  for (const FlagGroup& group : FlagsByGroup()) {
+    for (const std::string& name : group.flags) {
+      if (kNoInfluence.contains(name)) continue;
+      json[name] = FlagValue(gflags::GetCommandLineFlagInfoOrDie(name.c_str()));
+    }
   }
   return json;
 }

@@ -222,6 +222,35 @@ void AddMotionOptions(SlamOptions* options) {
 
 }  // namespace
 
+FlagGroups SlamFlagGroups() {
+  const FlagGroups filter = {
+      {"filter",
+       "Particle filter",
+       {"particles", "seed", "threads", "linear_update_m", "angular_update_rad", "proposal",
+        "obs_sigma_gain", "resample_threshold"}},
+      {"odometry",
+       "Odometry and deskewing",
+       {"odometry", "max_speed_m_s", "max_turn_rad_s", "sweep_duration_s"}},
+      {"motion_model",
+       "Motion model",
+       {"motion_noise", "motion_linear_per_linear", "motion_linear_per_angular",
+        "motion_lateral_per_linear", "motion_angular_per_linear", "motion_angular_per_angular",
+        "motion_linear_floor_m", "motion_angular_floor_rad"}},
+      {"scan_matching",
+       "Scan matching",
+       {"scan_matcher", "match_start", "initial_guesses", "match_min_score", "match_noise_m",
+        "match_robust_sigmas", "match_linear_step_m", "match_angular_step_rad", "match_refinements",
+        "score_sigma_m", "free_cell_in_front"}},
+      {"likelihood",
+       "Likelihood of a scan",
+       {"likelihood", "likelihood_sigma_m", "likelihood_gain", "unmatched_sigmas",
+        "unseen_is_miss"}},
+      {"maps",
+       "Maps",
+       {"resolution_m", "grid_occupied_threshold", "occupied_threshold", "no_return_clears"}}};
+  return Join({filter, GraphFlagGroups(), BackendFlagGroups()});
+}
+
 SlamOptions SlamOptionsFromFlags() {
   SlamOptions options;
   AddFilterOptions(&options);

@@ -24,7 +24,8 @@ namespace {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  std::exit(RunApp(static_cast<int>(words.size()), argv.data(), "tests itself.", run));
+  const FlagGroups groups = {{"map", "Map", {"particles", "verbose_map"}}};
+  std::exit(RunApp(static_cast<int>(words.size()), argv.data(), "tests itself.", groups, run));
 }
 
 void Nothing() {}
