@@ -6,11 +6,13 @@
 #include <optional>
 
 #include "backend/scheduling/optimization_thread.h"
+#include "frontend/health.h"
 
 namespace gmapping_spa::frontend {
 
-// Step 3': the graph thread of the paper. A back end that fails, throws or hangs costs its result
-// and a warning, no more.
+// Step 3': the graph thread of the paper. A back end that fails, throws or hangs costs its result,
+// no more. That is reported to health as backend_failed or backend_late; as backend_not_converged
+// what ended for want of iterations or time, and as backend_busy what never ran for that.
 class GraphThread {
  public:
   enum class Mode : std::uint8_t {
@@ -35,15 +37,17 @@ class GraphThread {
     std::int64_t late = 0;  // not there when they were due
   };
 
-  GraphThread(const Options& options, backend::OptimizationThread::OptimizeFunction optimize);
+  // `health` outlives this.
+  GraphThread(const Options& options, Health* health,
+              backend::OptimizationThread::OptimizeFunction optimize);
 
   bool busy() const { return thread_.busy(); }
 
   // Precondition: not busy.
   void Start(backend::PoseGraph snapshot);
 
-  // Call it once a scan: the optimized snapshot when it is due and a success.
-  std::optional<backend::PoseGraph> Advance();
+  // Call it once a scan, with its stamp: the optimized snapshot when it is due and a success.
+  std::optional<backend::PoseGraph> Advance(double stamp_s);
 
   // What runs, now: nothing else is left to do, so that ten times the timeout is waited for.
   std::optional<backend::PoseGraph> Finish();
@@ -58,7 +62,9 @@ class GraphThread {
   std::optional<backend::PoseGraph> Take(double wait_s);
 
   Options options_;
+  Health* health_;
   backend::OptimizationThread thread_;
+  double stamp_s_ = 0.0;  // of the latest scan
   int scans_since_start_ = 0;
   bool late_ = false;
   Counts counts_;
