@@ -15,6 +15,7 @@
 
 #include "experiments/apps/command_line.h"
 #include "experiments/apps/flag_help.h"
+#include "experiments/apps/version.h"
 
 DECLARE_bool(help);
 DECLARE_bool(helpshort);
@@ -70,7 +71,7 @@ int RunApp(int argc, char** argv, const char* usage, const FlagGroups& flag_grou
   const std::string program = std::filesystem::path(argv[0]).filename();
   Groups() = flag_groups;
   gflags::SetUsageMessage(usage);
-  gflags::SetVersionString(GMAPPING_SPA_VERSION);
+  gflags::SetVersionString(FullVersion());
   // Defaults, so that flags still override them.
   gflags::SetCommandLineOptionWithMode("logtostderr", "true", gflags::SET_FLAGS_DEFAULT);
   gflags::SetCommandLineOptionWithMode("minloglevel", "1", gflags::SET_FLAGS_DEFAULT);

@@ -10,6 +10,7 @@
 
 #include "experiments/apps/app.h"
 #include "experiments/apps/closure_table.h"
+#include "experiments/apps/version.h"
 
 namespace gmapping_spa::apps {
 namespace {
@@ -52,7 +53,8 @@ Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping
   getrusage(RUSAGE_SELF, &usage);
   Json json = {
       {"versions",
-       {{"gmapping_spa", gflags::VersionString()},
+       {{"gmapping_spa", ReleaseVersion()},
+        {"commit", Commit()},
         {"compiler", __VERSION__},
         {"eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) +
                       "." + std::to_string(EIGEN_MINOR_VERSION)}}},

@@ -1,8 +1,8 @@
 // From a CARMEN log to a map: map_a_log LOG MAP writes MAP.pgm and MAP.yaml.
+#include <glog/logging.h>
 #include <gmapping_spa/map_server_io.h>
 #include <gmapping_spa/open_log.h>
 #include <gmapping_spa/slam.h>
-#include <glog/logging.h>
 
 #include <exception>
 #include <fstream>

@@ -1,8 +1,8 @@
 // SLAM with a back end of one's own, part of the program: here one that asks spa, and tells of it.
+#include <glog/logging.h>
 #include <gmapping_spa/open_log.h>
 #include <gmapping_spa/plugin_loader.h>
 #include <gmapping_spa/slam.h>
-#include <glog/logging.h>
 
 #include <exception>
 #include <fstream>
