@@ -35,15 +35,15 @@ ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
   if (options_.source == OdometrySource::kWheel) {
     if (motion.wheels_rejected || motion.wheels_silent) {
       health_->Report("odometry_contradicted", scan.stamp_s,
-                      "the scan contradicts the odometry by more than it is trusted; it is used "
+                      "the scan contradicts the odometry by more than its usual error; it is used "
                       "all the same");
     }
     ReportUnmatched(motion, wheels, scan.stamp_s);
-    ScanMotion believed;
-    believed.motion = wheels.motion;
-    believed.noise = motion.noise;
-    believed.velocity = motion.velocity;
-    return believed;
+    ScanMotion of_wheels;
+    of_wheels.motion = wheels.motion;
+    of_wheels.noise = motion.noise;
+    of_wheels.velocity = motion.velocity;
+    return of_wheels;
   }
   ReportMatch(motion, wheels, scan.stamp_s);
   return motion;
@@ -110,7 +110,7 @@ void ControlInput::ReportMatch(const ScanMotion& motion, const OdometryCheck::St
                                double stamp_s) {
   if (motion.wheels_silent) {
     health_->Report("odometry_silent", stamp_s,
-                    "the odometry stands still while the scans show motion; it is not believed");
+                    "the odometry stands still while the scans show motion; it is left out");
   }
   if (motion.wheels_late) {
     health_->Report("odometry_late", stamp_s,
@@ -124,7 +124,7 @@ void ControlInput::ReportMatch(const ScanMotion& motion, const OdometryCheck::St
   }
   if (motion.wheels_rejected && wheels.fault == OdometryFault::kNone) {
     health_->Report("odometry_contradicted", stamp_s,
-                    "the scan contradicts the odometry by more than it is trusted");
+                    "the scan contradicts the odometry by more than its usual error");
   }
   if (!motion.alternatives.empty()) {
     health_->Report("ambiguous_scan", stamp_s,

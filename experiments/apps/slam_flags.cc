@@ -93,7 +93,7 @@ DEFINE_double(resolution_m, kSlam.resolution_m,
               "Edge length of a cell of all maps in m, from 0.005 to 10.");
 DEFINE_double(grid_occupied_threshold, kSlam.grid_occupied_threshold,
               "For scan matching, a cell is occupied when more than this part, 0 to 1, of the "
-              "beams that met it ended in it. 0: one hit is enough, for ever.");
+              "beams that met it ended in it. 0: one hit is enough, forever.");
 DEFINE_double(occupied_threshold, kSlam.occupied_threshold,
               "In the map written, a cell is occupied when more than this part, 0 to 1, of the "
               "beams that met it ended in it.");
@@ -134,7 +134,7 @@ DEFINE_double(likelihood_gain, kSlam.likelihood_gain,
               "their errors.");
 DEFINE_bool(unseen_is_miss, kSlam.unseen_is_miss,
             "Likelihood of a scan: a beam that ends where no beam has been yet counts as one that "
-            "does not fit the map, as in GMapping. Without it, such a beam says nothing.");
+            "does not fit the map, as in GMapping. Without it, such a beam does not count.");
 DEFINE_double(unmatched_sigmas, kSlam.unmatched_sigmas,
               "Likelihood of a scan: distance in standard deviations, from 0.001 to 100, that a "
               "beam counts which the map does not explain.");

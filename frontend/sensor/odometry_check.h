@@ -16,8 +16,8 @@ enum class OdometryFault : std::uint8_t {
   kFirst,       // the first scan: no motion to tell
   kImpossible,  // a step no robot makes, or a reading that is not finite
   kRestart,     // a sudden step to (nearly) zero or to the log's first reading: encoders restarted
-  kUnchanged,   // the reading before, bit for bit: standing still, or silent; scans decide
-  kRepeatedScan,  // the ranges before, bit for bit, while the wheels moved: the scan says nothing
+  kUnchanged,   // the reading before, bit for bit: at rest, or silent; scans decide
+  kRepeatedScan,  // the ranges before, bit for bit, while the wheels moved: the scan is of no use
   kMissing        // the log holds no odometry for this scan or the one before
 };
 
