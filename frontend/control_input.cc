@@ -35,15 +35,15 @@ ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
   if (options_.source == OdometrySource::kWheel) {
     if (motion.wheels_rejected || motion.wheels_silent) {
       health_->Report("odometry_contradicted", scan.stamp_s,
-                      "the scan contradicts the odometry by more than it is trusted; it is used "
+                      "the scan contradicts the odometry by more than its usual error; it is used "
                       "all the same");
     }
     ReportUnmatched(motion, wheels, scan.stamp_s);
-    ScanMotion believed;
-    believed.motion = wheels.motion;
-    believed.noise = motion.noise;
-    believed.velocity = motion.velocity;
-    return believed;
+    ScanMotion of_wheels;
+    of_wheels.motion = wheels.motion;
+    of_wheels.noise = motion.noise;
+    of_wheels.velocity = motion.velocity;
+    return of_wheels;
   }
   ReportMatch(motion, wheels, scan.stamp_s);
   return motion;
@@ -59,33 +59,15 @@ ScanMotion ControlInput::AsLogged(const sensor::LaserScan& scan) {
 }
 
 void ControlInput::ReportFault(const OdometryCheck::Step& wheels, double stamp_s) {
+  const std::string message = OdometryFaultMessage(wheels.fault);
+  if (message.empty()) return;
   const bool raw = options_.source == OdometrySource::kRaw;
-  const std::string step_is = raw ? "it is used all the same" : "the step is left out";
-  switch (wheels.fault) {
-    case OdometryFault::kImpossible:
-      health_->Report("odometry_impossible", stamp_s,
-                      "the odometry makes a step that no robot makes; " + step_is);
-      break;
-    case OdometryFault::kRestart:
-      health_->Report(
-          "odometry_restart", stamp_s,
-          "the odometry jumps back to where it began, as encoders that restart do; " + step_is);
-      break;
-    case OdometryFault::kRepeatedScan:
-      health_->Report("repeated_scan", stamp_s,
-                      "a scan repeats the one before bit for bit while the wheels move; " +
-                          std::string(raw ? "it is used all the same" : "it is not matched"));
-      break;
-    case OdometryFault::kMissing:
-      health_->Report("odometry_missing", stamp_s,
-                      raw ? "no odometry; its motion comes with the next one"
-                          : "no odometry; scans alone tell the motion");
-      break;
-    case OdometryFault::kNone:
-    case OdometryFault::kFirst:
-    case OdometryFault::kUnchanged:
-      break;
+  const char* consequence = raw ? "it is used all the same" : "the step is left out";
+  if (wheels.fault == OdometryFault::kRepeatedScan && !raw) consequence = "it is not matched";
+  if (wheels.fault == OdometryFault::kMissing) {
+    consequence = raw ? "its motion comes with the next one" : "scans alone tell the motion";
   }
+  health_->Report(OdometryFaultName(wheels.fault), stamp_s, message + "; " + consequence);
 }
 
 // Once anything has been hit: a log without any hit is an error, and that is enough.
@@ -128,7 +110,7 @@ void ControlInput::ReportMatch(const ScanMotion& motion, const OdometryCheck::St
                                double stamp_s) {
   if (motion.wheels_silent) {
     health_->Report("odometry_silent", stamp_s,
-                    "the odometry stands still while the scans show motion; it is not believed");
+                    "the odometry stands still while the scans show motion; it is left out");
   }
   if (motion.wheels_late) {
     health_->Report("odometry_late", stamp_s,
@@ -142,7 +124,7 @@ void ControlInput::ReportMatch(const ScanMotion& motion, const OdometryCheck::St
   }
   if (motion.wheels_rejected && wheels.fault == OdometryFault::kNone) {
     health_->Report("odometry_contradicted", stamp_s,
-                    "the scan contradicts the odometry by more than it is trusted");
+                    "the scan contradicts the odometry by more than its usual error");
   }
   if (!motion.alternatives.empty()) {
     health_->Report("ambiguous_scan", stamp_s,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -39,8 +40,10 @@ bool IsReadyWithin(double timeout_s, const std::future<Result>& result) {
 
 }  // namespace
 
-GraphThread::GraphThread(const Options& options, OptimizeFunction optimize)
-    : options_(options), optimize_(std::make_shared<const OptimizeFunction>(std::move(optimize))) {
+GraphThread::GraphThread(const Options& options, Health* health, OptimizeFunction optimize)
+    : options_(options),
+      health_(health),
+      optimize_(std::make_shared<const OptimizeFunction>(std::move(optimize))) {
   CHECK_GE(options.lockstep_scans, 1);
 }
 
@@ -63,7 +66,8 @@ void GraphThread::Start(backend::PoseGraph snapshot) {
   late_ = false;
 }
 
-std::optional<backend::PoseGraph> GraphThread::Advance() {
+std::optional<backend::PoseGraph> GraphThread::Advance(double stamp_s) {
+  stamp_s_ = stamp_s;
   if (!busy()) return std::nullopt;
   ++scans_since_start_;
   if (options_.mode == Mode::kAsync || late_) return Take(0.0);
@@ -77,7 +81,11 @@ std::optional<backend::PoseGraph> GraphThread::Finish() {
 }
 
 std::optional<backend::PoseGraph> GraphThread::Run(backend::PoseGraph snapshot) {
-  if (busy()) return std::nullopt;
+  if (busy()) {
+    health_->Report("backend_busy", stamp_s_,
+                    "the back end still has an earlier graph: an optimization is left out");
+    return std::nullopt;
+  }
   Start(std::move(snapshot));
   return Finish();
 }
@@ -86,7 +94,9 @@ std::optional<backend::PoseGraph> GraphThread::Run(backend::PoseGraph snapshot) 
 std::optional<backend::PoseGraph> GraphThread::WaitFor(double timeout_s) {
   std::optional<backend::PoseGraph> optimized = Take(timeout_s);
   if (busy()) {
-    LOG(WARNING) << "the back end has not answered within " << timeout_s << " s; going on without";
+    std::ostringstream message;
+    message << "the back end has not answered within " << timeout_s << " s; going on without";
+    health_->Report("backend_late", stamp_s_, message.str());
     late_ = true;
     ++counts_.late;
   }
@@ -96,16 +106,21 @@ std::optional<backend::PoseGraph> GraphThread::WaitFor(double timeout_s) {
 std::optional<backend::PoseGraph> GraphThread::Take(double wait_s) {
   if (!IsReadyWithin(wait_s, result_)) return std::nullopt;
   Result result = result_.get();
-  if (result.summary.termination == backend::Termination::kFailure) {
-    LOG(WARNING) << "the back end failed: " << result.summary.message;
+  const backend::Summary& summary = result.summary;
+  if (summary.termination == backend::Termination::kFailure) {
+    health_->Report("backend_failed", stamp_s_, "the back end failed: " + summary.message);
     ++counts_.failed;
     return std::nullopt;
   }
+  if (summary.termination == backend::Termination::kNoConvergence) {
+    health_->Report("backend_not_converged", stamp_s_,
+                    "the back end ended before it had converged: " + summary.message);
+  }
   ++counts_.taken;
   rejected_closures_.clear();
-  for (const std::size_t k : backend::RejectedClosures(result.graph.edges, result.summary)) {
+  for (const std::size_t k : backend::RejectedClosures(result.graph.edges, summary)) {
     const backend::Edge& edge = result.graph.edges[k];
-    rejected_closures_.push_back({edge.i, edge.j, result.summary.edge_weights[k]});
+    rejected_closures_.push_back({edge.i, edge.j, summary.edge_weights[k]});
   }
   return std::move(result.graph);
 }

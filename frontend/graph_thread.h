@@ -12,11 +12,14 @@
 
 #include "backend/graph/pose_graph.h"
 #include "backend/plugin/optimizer.h"
+#include "frontend/health.h"
 
 namespace gmapping_spa::frontend {
 
 // Step 3': the graph thread of the paper. It optimizes snapshots of the graph, one at a time. A
-// back end that fails, throws or hangs costs its result and a warning, no more.
+// back end that fails, throws or hangs costs its result, no more. That is reported to health as
+// backend_failed or backend_late; as backend_not_converged what ended for want of iterations or
+// time, and as backend_busy what never ran for that.
 class GraphThread {
  public:
   // Optimizes in place, such as OptimizeSafely or OptimizeGradually bound to an optimizer. It owns
@@ -47,7 +50,8 @@ class GraphThread {
     std::int64_t late = 0;  // not there when they were due
   };
 
-  GraphThread(const Options& options, OptimizeFunction optimize);
+  // `health` outlives this.
+  GraphThread(const Options& options, Health* health, OptimizeFunction optimize);
   // What runs for longer than patience_s is left to itself: its thread ends with it, and the
   // function is destroyed there. Otherwise the thread has ended.
   ~GraphThread();
@@ -60,8 +64,8 @@ class GraphThread {
   // Precondition: not busy. Throws std::system_error when there is no thread to be had.
   void Start(backend::PoseGraph snapshot);
 
-  // Call it once a scan: the optimized snapshot when it is due and a success.
-  std::optional<backend::PoseGraph> Advance();
+  // Call it once a scan, with its stamp: the optimized snapshot when it is due and a success.
+  std::optional<backend::PoseGraph> Advance(double stamp_s);
 
   // What runs, now: nothing else is left to do, so that ten times the timeout is waited for.
   std::optional<backend::PoseGraph> Finish();
@@ -88,6 +92,8 @@ class GraphThread {
   std::optional<backend::PoseGraph> Take(double wait_s);
 
   Options options_;
+  Health* health_;
+  double stamp_s_ = 0.0;  // of the latest scan
   std::shared_ptr<const OptimizeFunction> optimize_;  // shared with what is left to itself
   std::future<Result> result_;
   std::jthread thread_;

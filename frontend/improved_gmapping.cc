@@ -21,7 +21,7 @@ ImprovedGmapping::ImprovedGmapping(const Options& options,
       filter_(options.filter, std::move(matcher)),
       control_(options.control, &health_),
       loop_closer_(options.loop_closer),
-      graph_thread_(options.graph_thread, std::move(optimize)),
+      graph_thread_(options.graph_thread, &health_, std::move(optimize)),
       area_(options.filter.grid.resolution_m) {}
 
 ScanResult ImprovedGmapping::AddScan(const sensor::LaserScan& measured) {
@@ -59,7 +59,7 @@ void ImprovedGmapping::Process(const sensor::LaserScan& measured, ScanResult* re
   ++counts_.scans;
 
   // Steps 4' and 6: what the graph thread has found out corrects the particles.
-  if (const auto optimized = graph_thread_.Advance()) ApplyOptimizedGraph(*optimized);
+  if (const auto optimized = graph_thread_.Advance(scan.stamp_s)) ApplyOptimizedGraph(*optimized);
 
   const bool is_update = (UpdateIsDue(u, UpdateDensity(scan)) || ambiguous) && motion.matched;
   // In units of what triggers an update; the 1e-9 spreads by number of scans if nothing moved.
@@ -221,7 +221,7 @@ void ImprovedGmapping::ReportPieces(const std::vector<bool>& is_drawn) {
 
 void ImprovedGmapping::ReportRejectedClosures() {
   for (const auto& [i, j, weight] : graph_thread_.rejected_closures()) {
-    health_.Report("closure_rejected_by_back_end", archive_.StampOf(node_scans_[std::max(i, j)]),
+    health_.Report("backend_rejected_closure", archive_.StampOf(node_scans_[std::max(i, j)]),
                    "the back end rejects the loop closure between nodes " + std::to_string(i) +
                        " and " + std::to_string(j) + ": the other edges contradict it");
   }

@@ -29,7 +29,7 @@ constexpr double kAgrees = 9.0;
 
 // Nats by which a beam of full weight that fits tells a pose from one where it does not.
 constexpr double kNatsPerBeam = 1.0;
-// A scan that fits nowhere (a covered laser, a crowd) says nothing about the motion, at this price.
+// A scan that fits nowhere (a covered laser, a crowd) does not constrain the motion, at this price.
 constexpr double kGarbage_nats = 30.0;
 
 // Part of the beams that may end in unseen space more than at another pose before it counts.

@@ -14,7 +14,8 @@ namespace {
 constexpr double kLostBelow = 0.5;
 constexpr double kBackAbove = 0.75;
 
-// Of full weight: fewer that do not fit are no proof that the robot is elsewhere, or say nothing.
+// Of full weight: fewer that do not fit are no proof that the robot is elsewhere, or are no
+// evidence.
 constexpr double kBeamsToBeLost = 8.0;
 constexpr double kBeamsInDoubt = 2.0;
 
@@ -27,7 +28,7 @@ constexpr double kBeamsToBeElsewhere = 100.0;
 }  // namespace
 
 // A place that changes, or a bad scan, explains less than usual; another place explains next to
-// nothing. Who is lost believes to be back no sooner than a scan fits nearly as well as usual.
+// nothing. A lost robot is taken to be back no sooner than a scan fits nearly as well as usual.
 bool LidarOdometry::IsLost(const Match& match) const {
   const scan_matching::Evidence& e = match.evidence;
   if (new_piece_) return e.known() < kBeamsToBeLost || e.Fit() < kBackAbove * usual_fit_;

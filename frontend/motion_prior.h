@@ -39,7 +39,7 @@ struct WheelMotion {
 };
 
 // A mixture: what the wheels say, going on at the same velocity, and anything that a robot can do.
-// Wheels slip, restart, come late or say nothing; velocities change within limits. So no one of
+// Wheels slip, restart, come late or drop out; velocities change within limits. So no one of
 // them is ever the whole truth, and none is ever left out without a reason.
 class MotionPrior {
  public:

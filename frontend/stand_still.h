@@ -1,4 +1,4 @@
-// Odometry that says nothing, told from what the scans see alone.
+// Tells odometry that stands still while the robot moves, from what the scans see alone.
 #ifndef GMAPPING_SPA_FRONTEND_STAND_STILL_H_
 #define GMAPPING_SPA_FRONTEND_STAND_STILL_H_
 

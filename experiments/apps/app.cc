@@ -14,10 +14,13 @@
 #include <vector>
 
 #include "experiments/apps/command_line.h"
+#include "experiments/apps/flag_help.h"
+#include "experiments/apps/version.h"
 
 DECLARE_bool(help);
 DECLARE_bool(helpshort);
 DECLARE_bool(helpfull);
+DECLARE_bool(helpxml);
 
 namespace gmapping_spa::apps {
 namespace {
@@ -26,6 +29,11 @@ namespace {
 ParsedFlags& Parsed() {
   static auto& parsed = *new ParsedFlags;
   return parsed;
+}
+
+FlagGroups& Groups() {
+  static auto& groups = *new FlagGroups;
+  return groups;
 }
 
 std::atomic<bool> interrupted = false;
@@ -56,31 +64,14 @@ void KeepFreedMemory() {
 #endif
 }
 
-// Prints the flags of the program without those of gflags and glog: the ones defined next to this
-// file.
-void PrintHelp(const std::string& program) {
-  const std::filesystem::path apps_folder = std::filesystem::path(__FILE__).parent_path();
-  std::cout << program << ": " << gflags::ProgramUsage() << "\n\nFlags:\n";
-  std::vector<gflags::CommandLineFlagInfo> flags;
-  gflags::GetAllFlags(&flags);
-  for (gflags::CommandLineFlagInfo& flag : flags) {
-    if (std::filesystem::path(flag.filename).parent_path() == apps_folder) {
-      flag.default_value = ShortValue(flag.type, flag.default_value);
-      flag.current_value = ShortValue(flag.type, flag.current_value);
-      std::cout << gflags::DescribeOneFlag(flag);
-    }
-  }
-  std::cout << "\nFlags can also be read from a file with one --flag=value a line: "
-               "--flagfile=FILE;\nthe command line wins over files, a later file over an earlier "
-               "one.\n--helpfull prints the flags of the libraries, too.\n";
-}
-
 }  // namespace
 
-int RunApp(int argc, char** argv, const char* usage, const std::function<void()>& run) {
+int RunApp(int argc, char** argv, const char* usage, const FlagGroups& flag_groups,
+           const std::function<void()>& run) {
   const std::string program = std::filesystem::path(argv[0]).filename();
+  Groups() = flag_groups;
   gflags::SetUsageMessage(usage);
-  gflags::SetVersionString(GMAPPING_SPA_VERSION);
+  gflags::SetVersionString(FullVersion());
   // Defaults, so that flags still override them.
   gflags::SetCommandLineOptionWithMode("logtostderr", "true", gflags::SET_FLAGS_DEFAULT);
   gflags::SetCommandLineOptionWithMode("minloglevel", "1", gflags::SET_FLAGS_DEFAULT);
@@ -90,9 +81,13 @@ int RunApp(int argc, char** argv, const char* usage, const std::function<void()>
     std::cerr << program << ": error: " << error.what() << '\n';
     return 1;
   }
-  // gflags' own --help lists the flags of all libraries and ends with status 1.
+  // Where gflags prints help by itself, it ends with status 1.
   if (FLAGS_help || FLAGS_helpshort) {
-    PrintHelp(program);
+    PrintHelp(program, flag_groups, std::cout);
+    return 0;
+  }
+  if (FLAGS_helpxml) {
+    PrintHelpXml(program, flag_groups, std::cout);
     return 0;
   }
   if (FLAGS_helpfull) {
@@ -128,6 +123,8 @@ int RunApp(int argc, char** argv, const char* usage, const std::function<void()>
   google::ShutdownGoogleLogging();
   return status;
 }
+
+const FlagGroups& FlagsByGroup() { return Groups(); }
 
 const std::vector<std::string>& FlagFiles() { return Parsed().flag_files; }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/apps/flag_groups.h"
+
 namespace gmapping_spa::apps {
 
 // Thrown by ThrowIfInterrupted after SIGINT or SIGTERM.
@@ -14,13 +16,17 @@ struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Parses the gflags of the command line (with `usage` for --help), starts glog (warnings to stderr,
-// unless flags say otherwise), says on stderr which flags of a --flagfile the command line
-// overrides, installs handlers for SIGINT and SIGTERM and calls `run`. Returns the exit status of
-// the process: 0 when `run` returned and what it printed has been written, and after --help; 1 with
-// one line on stderr when it threw, when words are left over on the command line and when a flag or
-// a line of a --flagfile is not known; 130 when it was interrupted.
-int RunApp(int argc, char** argv, const char* usage, const std::function<void()>& run);
+// Parses the gflags of the command line (with `usage` and `flag_groups` for --help), starts glog
+// (warnings to stderr, unless flags say otherwise), says on stderr which flags of a --flagfile the
+// command line overrides, installs handlers for SIGINT and SIGTERM and calls `run`. Returns the
+// exit status of the process: 0 when `run` returned and what it printed has been written, and after
+// --help; 1 with one line on stderr when it threw, when words are left over on the command line and
+// when a flag or a line of a --flagfile is not known; 130 when it was interrupted.
+int RunApp(int argc, char** argv, const char* usage, const FlagGroups& flag_groups,
+           const std::function<void()>& run);
+
+// The groups that RunApp was given: all flags of the program itself.
+const FlagGroups& FlagsByGroup();
 
 // The files that --flagfile names, in the order in which they count.
 const std::vector<std::string>& FlagFiles();

@@ -3,7 +3,6 @@
 #include <gflags/gflags.h>
 #include <glog/logging.h>
 
-#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -79,31 +78,43 @@ DEFINE_int32(ceres_threads, 1, "Number of threads of ceres, from 1.");
 namespace gmapping_spa::apps {
 namespace {
 
-// The --<backend>_<setting> flags of this file that differ from their defaults, by name.
-std::map<std::string, std::string> SettingFlags() {
-  std::map<std::string, std::string> values;
-  std::vector<gflags::CommandLineFlagInfo> flags;
-  gflags::GetAllFlags(&flags);
-  for (const gflags::CommandLineFlagInfo& flag : flags) {
-    const bool is_setting = flag.name.starts_with("spa_") || flag.name.starts_with("ceres_");
-    if (is_setting && flag.filename == __FILE__ && !flag.is_default) {
-      values[flag.name] = flag.current_value;
-    }
+// The flags of the form --<backend>_<setting>, by the names of the back ends.
+const FlagGroups& SettingFlagGroups() {
+  static const auto& groups = *new FlagGroups{
+      {"spa", "Back end spa", {"spa_solver", "spa_damping", "spa_max_nonmonotonic_steps"}},
+      {"ceres",
+       "Back end ceres",
+       {"ceres_linear_solver", "ceres_sparse_library", "ceres_trust_region", "ceres_initial_radius",
+        "ceres_nonmonotonic", "ceres_jacobi_scaling", "ceres_gradient_tolerance",
+        "ceres_parameter_tolerance", "ceres_threads"}}};
+  return groups;
+}
+
+// Those flags of a group that differ from their defaults.
+std::vector<gflags::CommandLineFlagInfo> ChangedFlags(const FlagGroup& group) {
+  std::vector<gflags::CommandLineFlagInfo> changed;
+  for (const std::string& name : group.flags) {
+    const auto flag = gflags::GetCommandLineFlagInfoOrDie(name.c_str());
+    if (!flag.is_default) changed.push_back(flag);
   }
-  return values;
+  return changed;
 }
 
 void AddFlagsOfBackend(backend::Options* options) {
-  const std::string prefix = FLAGS_backend + "_";
-  for (const auto& [name, value] : SettingFlags()) {
-    if (name.starts_with(prefix)) options->settings[name.substr(prefix.size())] = value;
+  for (const FlagGroup& group : SettingFlagGroups()) {
+    if (group.name != FLAGS_backend) continue;
+    for (const gflags::CommandLineFlagInfo& flag : ChangedFlags(group)) {
+      options->settings[flag.name.substr(group.name.size() + 1)] = flag.current_value;
+    }
   }
 }
 
 void WarnOfFlagsWithoutEffect() {
-  for (const auto& [name, value] : SettingFlags()) {
-    if (name.starts_with(FLAGS_backend + "_")) continue;
-    LOG(WARNING) << "--" << name << " has no effect with --backend=" << FLAGS_backend;
+  for (const FlagGroup& group : SettingFlagGroups()) {
+    if (group.name == FLAGS_backend) continue;
+    for (const gflags::CommandLineFlagInfo& flag : ChangedFlags(group)) {
+      LOG(WARNING) << "--" << flag.name << " has no effect with --backend=" << FLAGS_backend;
+    }
   }
 }
 
@@ -138,6 +149,15 @@ void AddBackendSettings(backend::Options* options) {
 }
 
 }  // namespace
+
+FlagGroups BackendFlagGroups() {
+  const FlagGroups common = {
+      {"backend",
+       "Back end",
+       {"backend", "backend_settings", "init", "max_iterations", "cost_tolerance",
+        "max_solver_time_s", "loss", "loss_scale", "gnc"}}};
+  return Join({common, SettingFlagGroups()});
+}
 
 std::string BackendFromFlags() { return FLAGS_backend; }
 

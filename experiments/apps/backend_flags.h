@@ -6,8 +6,11 @@
 #include <string>
 
 #include "backend/plugin/optimizer.h"
+#include "experiments/apps/flag_groups.h"
 
 namespace gmapping_spa::apps {
+
+FlagGroups BackendFlagGroups();
 
 // The value of --backend: a name or a path.
 std::string BackendFromFlags();

@@ -16,11 +16,11 @@ struct ParsedFlags {
 };
 
 // Sets the flags of the program and removes them from `argv`, as
-// gflags::ParseCommandLineNonHelpFlags does, which ends the process with status 1 on what it does
-// not know. But a flag on the command line wins over any file given by --flagfile, before or behind
-// it; of files, the later one wins. (gflags by itself lets the last word win, so that a file behind
-// a flag would silently undo it.) Throws as ReadFlagFiles does, and likewise on values that do not
-// fit their flags.
+// gflags::ParseCommandLineNonHelpFlags does. But a flag on the command line wins over any file
+// given by --flagfile, before or behind it; of files, the later one wins. (gflags by itself lets
+// the last word win, so that a file behind a flag would silently undo it.) Throws
+// std::runtime_error with one line as ReadFlagFiles does, and likewise on flags that the program
+// does not have and values that do not fit (gflags ends the process).
 ParsedFlags ParseFlags(int* argc, char*** argv);
 
 // A value of a flag as people write it: gflags prints 0.05 as 0.050000000000000003.

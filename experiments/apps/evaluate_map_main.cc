@@ -226,6 +226,13 @@ void Run() {
   std::cout << json.dump(2) << '\n';
 }
 
+FlagGroups AllFlagGroups() {
+  return {{"files",
+           "Files",
+           {"map", "truth", "trajectory", "truth_trajectory", "objects", "error_map"}},
+          {"comparison", "Comparison", {"align", "max_gap_s", "max_range", "tolerance"}}};
+}
+
 }  // namespace
 }  // namespace gmapping_spa::apps
 
@@ -235,5 +242,5 @@ int main(int argc, char** argv) {
       "compares a map with the true one, as far as the robot could have seen it, and prints the "
       "errors as JSON.\nUsage: evaluate_map --map=FILE [--truth=FILE --truth_trajectory=FILE "
       "--trajectory=FILE]\nTrajectories may be gzipped.",
-      gmapping_spa::apps::Run);
+      gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);
 }

@@ -46,6 +46,11 @@ void Run() {
   std::cout << json.dump(2) << '\n';
 }
 
+FlagGroups AllFlagGroups() {
+  return {{"files", "Files", {"relations", "trajectory"}},
+          {"comparison", "Comparison", {"max_gap_s"}}};
+}
+
 }  // namespace
 }  // namespace gmapping_spa::apps
 
@@ -55,5 +60,5 @@ int main(int argc, char** argv) {
       "scores a trajectory by hand-checked relations between poses (Kuemmerle et al. 2009) and "
       "prints JSON.\nUsage: evaluate_relations --relations=FILE --trajectory=FILE\n"
       "Files may be gzipped.",
-      gmapping_spa::apps::Run);
+      gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);
 }

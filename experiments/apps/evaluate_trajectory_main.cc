@@ -74,6 +74,11 @@ void Run() {
   std::cout << json.dump(2) << '\n';
 }
 
+FlagGroups AllFlagGroups() {
+  return {{"files", "Files", {"truth", "trajectory"}},
+          {"comparison", "Comparison", {"align", "max_gap_s", "rpe_delta", "rpe_unit"}}};
+}
+
 }  // namespace
 }  // namespace gmapping_spa::apps
 
@@ -82,5 +87,5 @@ int main(int argc, char** argv) {
       argc, argv,
       "compares a trajectory with the true one and prints absolute (ATE) and relative (RPE) errors "
       "as JSON.\nUsage: evaluate_trajectory --truth=FILE --trajectory=FILE\nFiles may be gzipped.",
-      gmapping_spa::apps::Run);
+      gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);
 }

@@ -1,7 +1,5 @@
 #include "experiments/apps/flag_files.h"
 
-#include <gflags/gflags.h>
-
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -14,27 +12,6 @@
 
 namespace gmapping_spa::apps {
 namespace {
-
-struct NameAndValue {
-  std::string name, value;
-};
-
-// Of "name=value" or "[no]name"; nothing when the program has no such flag.
-std::optional<NameAndValue> Parse(const std::string& flag) {
-  gflags::CommandLineFlagInfo info;
-  const std::size_t equals = flag.find('=');
-  const std::string name = flag.substr(0, equals);
-  const bool has_value = equals != std::string::npos;
-  if (gflags::GetCommandLineFlagInfo(name.c_str(), &info)) {
-    if (has_value) return NameAndValue{info.name, flag.substr(equals + 1)};
-    if (info.type == "bool") return NameAndValue{info.name, "true"};
-    return std::nullopt;
-  }
-  if (has_value || !name.starts_with("no")) return std::nullopt;
-  if (!gflags::GetCommandLineFlagInfo(name.c_str() + 2, &info)) return std::nullopt;
-  if (info.type != "bool") return std::nullopt;
-  return NameAndValue{info.name, "false"};
-}
 
 // Without blanks around it, the line ends of other systems, and the mark of Unicode that some
 // editors begin files with.
@@ -54,7 +31,7 @@ class Reader {
     for (std::string path; std::getline(list, path, ',');) ReadFile(place, path);
   }
 
-  std::vector<FlagOfFile> Take() { return std::move(flags_); }
+  std::vector<FlagSetting> Take() { return std::move(flags_); }
 
  private:
   void ReadFile(const std::string& place, const std::string& path) {
@@ -73,7 +50,7 @@ class Reader {
       if (line.empty() || line[0] == '#') continue;
       const std::string here = path + ":" + std::to_string(number);
       RefuseFormerName(here, WithoutDashes(line));
-      const std::optional<NameAndValue> flag = Parse(WithoutDashes(line));
+      const std::optional<FlagSetting> flag = ParseFlag(here, WithoutDashes(line));
       if (!flag) {
         throw std::runtime_error(
             here + ": expected --flag=value with a flag of this program, found '" + line + "'");
@@ -81,25 +58,20 @@ class Reader {
       if (flag->name == "flagfile") {
         Read(here, flag->value);
       } else {
-        flags_.push_back({flag->name, flag->value, here});
+        flags_.push_back(*flag);
       }
     }
     if (in.bad() || !in.eof()) throw std::runtime_error(path + ": cannot be read");
     open_.erase(file);
   }
 
-  std::vector<FlagOfFile> flags_;
+  std::vector<FlagSetting> flags_;
   std::set<std::string> open_;
 };
 
 }  // namespace
 
-std::string WithoutDashes(const std::string& word) {
-  const std::size_t begin = word.find_first_not_of('-');
-  return begin == 1 || begin == 2 ? word.substr(begin) : "";
-}
-
-std::vector<FlagOfFile> ReadFlagFiles(const std::vector<std::string>& flag_files) {
+std::vector<FlagSetting> ReadFlagFiles(const std::vector<std::string>& flag_files) {
   Reader reader;
   for (const std::string& paths : flag_files) reader.Read("--flagfile", paths);
   return reader.Take();

@@ -5,24 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "experiments/apps/flag_words.h"
+
 namespace gmapping_spa::apps {
 
-// "name=value" of "--name=value" or "-name=value"; empty for a word that is not a flag.
-std::string WithoutDashes(const std::string& word);
-
-struct FlagOfFile {
-  std::string name;   // as the program spells it
-  std::string value;  // without blanks around it; "true" or "false" for --[no]name
-  std::string place;  // "<file>:<line>"
-};
-
-// What the files say, in their order; those that a file names stand where it names them. Each item
-// is a path or several with commas between. (gflags itself skips what it does not understand in a
-// file, so that a misspelt flag would silently run an experiment with the default.) Throws
-// std::runtime_error "<file>:<line>: expected <what>, found <what>" on lines other than
+// What the files say, in their order, without blanks around values; those that a file names stand
+// where it names them. Each item is a path or several with commas between. (gflags itself skips
+// what it does not understand in a file, so that a misspelt flag would silently run an experiment
+// with the default.) Throws std::runtime_error "<file>:<line>: expected <what>, found <what>" on
+// lines other than
 // --name=value, --[no]name, comments and blanks, and on flags that the program does not have; and
 // on what is no file, or names itself.
-std::vector<FlagOfFile> ReadFlagFiles(const std::vector<std::string>& flag_files);
+std::vector<FlagSetting> ReadFlagFiles(const std::vector<std::string>& flag_files);
 
 }  // namespace gmapping_spa::apps
 

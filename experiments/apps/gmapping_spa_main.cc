@@ -16,6 +16,7 @@
 #include "experiments/apps/log_flags.h"
 #include "experiments/apps/output_files.h"
 #include "experiments/apps/progress_bar.h"
+#include "experiments/apps/slam_flags.h"
 #include "experiments/apps/slam_run.h"
 #include "frontend/sensor/open_log.h"
 
@@ -77,6 +78,11 @@ void Run() {
             << " resamplings; results in " << FLAGS_output_dir << '\n';
 }
 
+FlagGroups AllFlagGroups() {
+  const FlagGroups output = {{"output", "Input and output", {"log", "output_dir"}}};
+  return Join({output, LogFlagGroups(), SlamFlagGroups()});
+}
+
 }  // namespace
 }  // namespace gmapping_spa::apps
 
@@ -87,5 +93,5 @@ int main(int argc, char** argv) {
       "Usage: gmapping_spa --log=FILE --output_dir=DIR [--flagfile=FILE] [flags]\n"
       "Writes trajectory.tum, map.pgm, map.yaml, map.png, graph.g2o, loop_closures.csv and "
       "run.json.",
-      gmapping_spa::apps::Run);
+      gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);
 }

@@ -98,6 +98,19 @@ DEFINE_int32(refine, kSlam.refine,
 
 namespace gmapping_spa::apps {
 
+FlagGroups GraphFlagGroups() {
+  return {{"graph",
+           "Pose graph",
+           {"edge_measurement", "edge_information", "optimize_every", "graph_thread",
+            "lockstep_scans", "graph_timeout_s", "correction", "final_optimization", "refine"}},
+          {"loop_closures",
+           "Loop closures",
+           {"loop_closure", "closure_everywhere", "closure_min_path_length_m",
+            "closure_max_distance_m", "closure_drift_m_per_m", "closure_drift_rad_per_m",
+            "closure_min_score", "closure_max_runner_up_score", "closure_min_overlap",
+            "closure_min_inlier_ratio", "closure_information_gain"}}};
+}
+
 void AddGraphOptions(SlamOptions* options) {
   options->edge_measurement = OneOf("edge_measurement", FLAGS_edge_measurement, kEdgeMeasurement);
   options->edge_information = OneOf("edge_information", FLAGS_edge_information, kEdgeInformation);

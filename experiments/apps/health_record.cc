@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace gmapping_spa::apps {
@@ -70,8 +71,8 @@ Finding Summarize(const std::string& kind, const std::vector<Stretch>& stretches
 
 }  // namespace
 
-std::map<std::string, Finding> FindingsOf(const sensor::LogCounts& counts) {
-  std::map<std::string, Finding> findings;
+Findings FindingsOf(const sensor::LogCounts& counts) {
+  Findings findings;
   for (const auto& [name, message] : kMeanings) {
     const std::int64_t count = CountOf(counts, name);
     if (count > 0) findings.emplace(name, Untimed(message, count));
@@ -96,19 +97,23 @@ void WarnOf(const sensor::LogCounts& counts) {
   }
 }
 
-Json HealthRecord(const frontend::Health& health, const sensor::LogCounts& counts) {
-  std::map<std::string, Finding> findings = FindingsOf(counts);
-  findings.insert(health.findings().begin(), health.findings().end());
-  for (const auto& [kind, stretches] : health.stretches()) {
+Json ToJson(Findings findings, const Stretches& all_stretches) {
+  for (const auto& [kind, stretches] : all_stretches) {
     findings.emplace(kind, Summarize(kind, stretches));
   }
   Json json = Json::object();
   for (const auto& [kind, finding] : findings) json[kind] = ToJson(finding);
-  for (const auto& [kind, stretches] : health.stretches()) {
+  for (const auto& [kind, stretches] : all_stretches) {
     Json& list = json[kind]["stretches"] = Json::array();
     for (const Stretch& stretch : stretches) list.push_back({stretch.begin_s, stretch.end_s});
   }
   return json;
+}
+
+Json HealthRecord(const frontend::Health& health, const sensor::LogCounts& counts) {
+  Findings findings = FindingsOf(counts);
+  findings.insert(health.findings().begin(), health.findings().end());
+  return ToJson(std::move(findings), health.stretches());
 }
 
 }  // namespace gmapping_spa::apps

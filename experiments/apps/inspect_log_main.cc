@@ -48,6 +48,11 @@ void Run() {
   }
 }
 
+FlagGroups AllFlagGroups() {
+  const FlagGroups output = {{"output", "Input and output", {"log", "output_dir", "json"}}};
+  return Join({output, LogFlagGroups()});
+}
+
 }  // namespace
 }  // namespace gmapping_spa::apps
 
@@ -57,5 +62,5 @@ int main(int argc, char** argv) {
       "says what a sensor log holds, what would be assumed about it, and what to look out for.\n"
       "Usage: inspect_log --log=FILE [--output_dir=DIR] [--json]\n"
       "The picture inspect.png shows the odometry's way with some scans, the ranges and the steps.",
-      gmapping_spa::apps::Run);
+      gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);
 }

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "backend/text.h"
 #include "experiments/apps/health_record.h"
 
 namespace gmapping_spa::apps {
@@ -47,16 +47,6 @@ Json LargestSteps(std::vector<OdometryStep> steps, Less less) {
 }
 
 Json Odometry(const LogSummary& summary) {
-  Json faults = Json::object();
-  for (const auto& [kind, finding] : summary.faults) {
-    faults[kind] = {{"count", finding.count},
-                    {"first_s", finding.first_stamp_s},
-                    {"last_s", finding.last_stamp_s}};
-  }
-  Json silent = Json::array();
-  for (const frontend::Stretch& stretch : summary.silent) {
-    silent.push_back({stretch.begin_s, stretch.end_s});
-  }
   double length_m = 0.0;
   std::int64_t unchanged = 0;
   for (const OdometryStep& step : summary.steps) {
@@ -68,8 +58,6 @@ Json Odometry(const LogSummary& summary) {
   return {{"scans", summary.scans_with_odometry},
           {"path_m", length_m},
           {"unchanged_steps", unchanged},
-          {"faults", faults},
-          {"silent_while_scans_change", silent},
           {"longest_steps",
            LargestSteps(summary.steps,
                         [](const auto& a, const auto& b) { return a.length_m < b.length_m; })},
@@ -78,35 +66,33 @@ Json Odometry(const LogSummary& summary) {
            })}};
 }
 
+// With the keys of a run's health, since a run would report the same.
+Json HealthOf(const LogSummary& summary, const sensor::LogCounts& counts) {
+  Findings findings = FindingsOf(counts);
+  findings.insert(summary.findings.begin(), summary.findings.end());
+  if (summary.silent.empty()) return ToJson(std::move(findings), {});
+  std::int64_t scans = 0;
+  for (const frontend::Stretch& stretch : summary.silent) scans += stretch.scans;
+  findings["odometry_silent"] = {"the odometry stands still while the scans change",
+                                 summary.silent.front().begin_s, summary.silent.back().end_s,
+                                 scans};
+  return ToJson(std::move(findings), {{"odometry_silent", summary.silent}});
+}
+
 std::string MountingSource(const sensor::LogCounts& counts, const sensor::LogOptions& options) {
   if (options.robot_T_laser) return "--laser_pose";
   return counts.at("laser_pose_used") > 0 ? "the laser poses of the records"
                                           : "the log, or by default";
 }
 
-std::vector<std::string> Advice(const LogSummary& summary, const sensor::LogCounts& counts,
-                                double fov_rad, std::size_t beams) {
+// Beyond what is wrong: what makes SLAM hard.
+std::vector<std::string> Advice(const LogSummary& summary, double fov_rad, std::size_t beams) {
   std::vector<std::string> advice;
-  for (const auto& [kind, finding] : FindingsOf(counts)) {
-    advice.push_back(std::to_string(finding.count) + " " + finding.message);
-  }
-  const auto faults = [&](const char* kind, const std::string& what) {
-    const auto found = summary.faults.find(kind);
-    if (found == summary.faults.end()) return;
-    advice.push_back(std::to_string(found->second.count) + " " + what + ", the first at " +
-                     backend::FixedText(found->second.first_stamp_s, 3) + " s");
-  };
-  faults("impossible", "steps of the odometry are faster than a robot");
-  faults("restart", "times the odometry starts again");
-  faults("repeated_scan", "scans repeat the one before while the wheels turn");
   const bool constant = std::ranges::all_of(summary.steps, [](const OdometryStep& step) {
     return step.fault == OdometryFault::kUnchanged;
   });
   if (constant && !summary.steps.empty()) {
-    advice.push_back("the odometry is the same throughout: it says nothing");
-  } else if (!summary.silent.empty()) {
-    advice.push_back("the odometry says nothing in " + std::to_string(summary.silent.size()) +
-                     " stretches in which the scans change");
+    advice.emplace_back("the odometry is the same throughout: it is as good as none");
   }
   const auto long_steps =
       std::count_if(summary.steps.begin(), summary.steps.end(), [](const OdometryStep& step) {
@@ -172,7 +158,8 @@ Json InspectionReport(const LogSummary& summary, const sensor::LogCounts& counts
             {"theta_rad", laser.theta},
             {"from", MountingSource(counts, options)}}},
           {"odometry", Odometry(summary)},
-          {"advice", Advice(summary, counts, fov_rad, usual->first)}};
+          {"health", HealthOf(summary, counts)},
+          {"advice", Advice(summary, fov_rad, usual->first)}};
 }
 
 }  // namespace gmapping_spa::apps

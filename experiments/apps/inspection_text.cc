@@ -46,16 +46,26 @@ void PrintSteps(const char* title, const Json& steps, std::ostream& out) {
 void PrintOdometry(const Json& odometry, std::ostream& out) {
   out << "\nOdometry: of " << odometry["scans"] << " scans, " << Fixed(odometry["path_m"], 1)
       << " m driven, unchanged at " << odometry["unchanged_steps"] << " steps\n";
-  for (const auto& [kind, fault] : odometry["faults"].items()) {
-    out << "  " << kind << ": " << fault["count"] << " from " << Fixed(fault["first_s"], 3)
-        << " to " << Fixed(fault["last_s"], 3) << " s\n";
-  }
-  for (const Json& stretch : odometry["silent_while_scans_change"]) {
-    out << "  silent while the scans change: from " << Fixed(stretch[0], 3) << " to "
-        << Fixed(stretch[1], 3) << " s\n";
-  }
   PrintSteps("longest steps", odometry["longest_steps"], out);
   PrintSteps("largest turns", odometry["largest_turns"], out);
+}
+
+// As a run warns of the same.
+void PrintHealth(const Json& health, std::ostream& out) {
+  out << "\nHealth, as run.json would have it:\n";
+  if (health.empty()) out << "  nothing stands out\n";
+  for (const auto& [kind, finding] : health.items()) {
+    out << "  " << kind << ": " << finding["count"];
+    if (finding.contains("first_s")) {
+      out << " times from " << Fixed(finding["first_s"], 3) << " s to "
+          << Fixed(finding["last_s"], 3) << " s:";
+    }
+    out << ' ' << finding["message"].get<std::string>() << '\n';
+    if (!finding.contains("stretches")) continue;
+    for (const Json& stretch : finding["stretches"]) {
+      out << "    from " << Fixed(stretch[0], 3) << " s to " << Fixed(stretch[1], 3) << " s\n";
+    }
+  }
 }
 
 }  // namespace
@@ -66,7 +76,7 @@ void PrintInspection(const std::string& name, const Json& report, std::ostream& 
       << " s on: " << Fixed(report["rate_hz"], 2) << " a second, mostly "
       << Fixed(report["median_period_s"], 3) << " s apart, at most "
       << Fixed(report["longest_period_s"], 3) << " s\n";
-  out << "\nRecords and what was noticed:\n";
+  out << "\nRecords:\n";
   for (const auto& [kind, count] : report["records"].items()) {
     if (count != 0) out << "  " << kind << ": " << count << '\n';
   }
@@ -82,8 +92,8 @@ void PrintInspection(const std::string& name, const Json& report, std::ostream& 
       << '\n';
   PrintRanges(report["ranges"], out);
   PrintOdometry(report["odometry"], out);
-  out << "\nAdvice:\n";
-  if (report["advice"].empty()) out << "  nothing stands out\n";
+  PrintHealth(report["health"], out);
+  if (!report["advice"].empty()) out << "\nAdvice:\n";
   for (const Json& line : report["advice"]) out << "  - " << line.get<std::string>() << '\n';
 }
 

@@ -73,6 +73,13 @@ std::optional<backend::SE2> OptionalLaserPose() {
 
 }  // namespace
 
+FlagGroups LogFlagGroups() {
+  return {{"log",
+           "Sensor log",
+           {"usable_range_m", "range_min_m", "fov_deg", "angle_min_deg", "laser_pose",
+            "laser_flipped", "reorder_window_s", "gap_s", "bad_record"}}};
+}
+
 sensor::LogOptions LogOptionsFromFlags() {
   sensor::LogOptions options;
   options.usable_range_m = InRange("usable_range_m", FLAGS_usable_range_m, 0.01, 1000.0);

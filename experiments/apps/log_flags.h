@@ -2,9 +2,12 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_LOG_FLAGS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_LOG_FLAGS_H_
 
+#include "experiments/apps/flag_groups.h"
 #include "frontend/sensor/log_options.h"
 
 namespace gmapping_spa::apps {
+
+FlagGroups LogFlagGroups();
 
 // Throws std::runtime_error with one line when a flag makes no sense.
 sensor::LogOptions LogOptionsFromFlags();

@@ -30,9 +30,9 @@ bool Differ(const LaserScan& a, const LaserScan& b) {
   return moved > kMovedShare * compared;
 }
 
-void Count(const std::string& kind, double stamp_s, std::map<std::string, frontend::Finding>* all) {
-  frontend::Finding& finding =
-      all->try_emplace(kind, frontend::Finding{"", stamp_s, stamp_s, 0}).first->second;
+void Count(OdometryFault fault, double stamp_s, std::map<std::string, frontend::Finding>* all) {
+  const frontend::Finding first{OdometryFaultMessage(fault), stamp_s, stamp_s, 0};
+  frontend::Finding& finding = all->try_emplace(OdometryFaultName(fault), first).first->second;
   ++finding.count;
   finding.last_stamp_s = stamp_s;
 }
@@ -93,7 +93,7 @@ void LogInspector::AddOdometry(const LaserScan& scan) {
   }
   last_moved_ = scan;
   if (fault != OdometryFault::kNone && fault != OdometryFault::kFirst) {
-    Count(sensor::OdometryFaultName(fault), scan.stamp_s, &summary_.faults);
+    Count(fault, scan.stamp_s, &summary_.findings);
   }
 }
 

@@ -39,10 +39,9 @@ struct LogSummary {
 
   std::int64_t scans_with_odometry = 0;
   std::vector<OdometryStep> steps;  // between neighboring scans that have odometry
-  // By OdometryFaultName, without "none", "first" and "unchanged".
-  std::map<std::string, frontend::Finding> faults;
-  // Times in which the wheels said nothing ("unchanged") while the scans changed, of two scans and
-  // more.
+  // By their keys, as a run would report them; those of the odometry.
+  std::map<std::string, frontend::Finding> findings;
+  // Times in which the odometry stood still while the scans changed, of two scans and more.
   std::vector<frontend::Stretch> silent;
 
   std::vector<backend::SE2> odom_T_robot;  // of the scans that have it

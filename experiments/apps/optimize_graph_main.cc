@@ -147,6 +147,12 @@ void Run() {
   std::cout << ToJson(graph, summary, cpu_s).dump(2) << '\n';
 }
 
+FlagGroups AllFlagGroups() {
+  const FlagGroups output = {
+      {"output", "Input and output", {"input", "output", "png", "verbose", "list_backends"}}};
+  return Join({output, BackendFlagGroups()});
+}
+
 }  // namespace
 }  // namespace gmapping_spa::apps
 
@@ -156,5 +162,5 @@ int main(int argc, char** argv) {
       "optimizes a pose graph and prints a summary as JSON.\n"
       "Usage: optimize_graph --input=FILE [--backend=NAME|PATH] [--output=FILE]\n"
       "       optimize_graph --list_backends",
-      gmapping_spa::apps::Run);
+      gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);
 }

@@ -10,13 +10,10 @@
 
 #include "experiments/apps/app.h"
 #include "experiments/apps/closure_table.h"
+#include "experiments/apps/version.h"
 
 namespace gmapping_spa::apps {
 namespace {
-
-bool IsOwnFlag(const gflags::CommandLineFlagInfo& flag) {
-  return flag.filename.find("experiments/apps/") != std::string::npos;
-}
 
 Json FlagValue(const gflags::CommandLineFlagInfo& flag) {
   if (flag.type == "bool") return flag.current_value == "true";
@@ -29,11 +26,12 @@ Json ResultFlags() {
   // Of files it is the content that counts, which stands under "input".
   static const std::set<std::string> kNoInfluence = {"log",       "world",      "path",
                                                      "obstacles", "output_dir", "threads"};
-  std::vector<gflags::CommandLineFlagInfo> flags;
-  gflags::GetAllFlags(&flags);
   Json json;
-  for (const gflags::CommandLineFlagInfo& flag : flags) {
-    if (IsOwnFlag(flag) && !kNoInfluence.contains(flag.name)) json[flag.name] = FlagValue(flag);
+  for (const FlagGroup& group : FlagsByGroup()) {
+    for (const std::string& name : group.flags) {
+      if (kNoInfluence.contains(name)) continue;
+      json[name] = FlagValue(gflags::GetCommandLineFlagInfoOrDie(name.c_str()));
+    }
   }
   return json;
 }
@@ -55,7 +53,8 @@ Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping
   getrusage(RUSAGE_SELF, &usage);
   Json json = {
       {"versions",
-       {{"gmapping_spa", gflags::VersionString()},
+       {{"gmapping_spa", ReleaseVersion()},
+        {"commit", Commit()},
         {"compiler", __VERSION__},
         {"eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) +
                       "." + std::to_string(EIGEN_MINOR_VERSION)}}},
@@ -89,7 +88,7 @@ Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping
         {"registration_s", filter_times.registration_s},
         {"resampling_s", filter_times.resampling_s},
         {"correction_s", filter_times.correction_s}}}};
-  Json& rejected = json["loop_closures"]["rejected_by_back_end"] = Json::array();
+  Json& rejected = json["loop_closures"]["rejected_by_backend"] = Json::array();
   for (const auto& [i, j, weight] : gmapping.graph_thread().rejected_closures()) {
     rejected.push_back({{"old_node", i}, {"node", j}, {"weight", weight}});
   }

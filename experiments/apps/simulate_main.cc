@@ -51,6 +51,11 @@ void Run() {
             << summary.slips << " slips, " << summary.bumps << " bumps";
 }
 
+FlagGroups AllFlagGroups() {
+  const FlagGroups output = {{"output", "Output", {"output_dir", "seed"}}};
+  return Join({output, SimulationFlagGroups()});
+}
+
 }  // namespace
 }  // namespace gmapping_spa::apps
 
@@ -61,5 +66,5 @@ int main(int argc, char** argv) {
       "Usage: simulate --world=FILE --output_dir=DIR [--path=FILE] [--seed=S] ...\n"
       "Writes log.clf (CARMEN), truth.tum (true pose at each scan) and the true map truth.pgm with "
       "truth.yaml.",
-      gmapping_spa::apps::Run);
+      gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);
 }

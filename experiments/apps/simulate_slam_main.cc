@@ -10,6 +10,7 @@
 #include "experiments/apps/input_file.h"
 #include "experiments/apps/output_files.h"
 #include "experiments/apps/simulation_flags.h"
+#include "experiments/apps/slam_flags.h"
 #include "experiments/apps/slam_run.h"
 #include "experiments/simulation/scan_player.h"
 
@@ -43,6 +44,11 @@ void Run() {
             << slam.counts().updates << " updates; results in " << FLAGS_output_dir << '\n';
 }
 
+FlagGroups AllFlagGroups() {
+  const FlagGroups output = {{"output", "Output", {"output_dir"}}};
+  return Join({output, SimulationFlagGroups(), SlamFlagGroups()});
+}
+
 }  // namespace
 }  // namespace gmapping_spa::apps
 
@@ -54,5 +60,5 @@ int main(int argc, char** argv) {
       "Usage: simulate_slam --world=FILE --output_dir=DIR [flags of simulate and gmapping_spa]\n"
       "Writes what gmapping_spa writes, and truth.tum, truth.pgm and truth.yaml, with\n"
       "--obstacles truth_obstacles.pgm and truth_obstacles.yaml.",
-      gmapping_spa::apps::Run);
+      gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);
 }

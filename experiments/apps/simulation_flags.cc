@@ -211,6 +211,23 @@ simulation::SimulationOptions OptionsFromFlags(std::uint64_t seed) {
 
 }  // namespace
 
+FlagGroups SimulationFlagGroups() {
+  return {{"tour",
+           "World and tour",
+           {"world", "path", "obstacles", "walking_pedestrian", "crowd", "turns_at_way_points",
+            "carry_s", "truth_resolution"}},
+          {"robot", "Robot", {"max_speed", "max_turn_rate", "robot_radius", "reverse"}},
+          {"laser",
+           "Laser",
+           {"scan_rate", "angular_resolution", "fov_deg", "fov_center_deg", "laser_mount",
+            "max_range", "range_noise", "motion_during_scan", "cover", "cover_range", "scan_gaps"}},
+          {"wheels",
+           "Wheel odometry",
+           {"wheels", "odometry_noise", "interference", "slip_probability", "slip_size",
+            "slip_duration_s", "bump_probability", "bump_deg", "bump_m", "calm_s",
+            "wheel_scale_bias", "wheel_ratio_bias", "wheel_base_factor"}}};
+}
+
 SimulationSetup SimulationFromFlags(std::uint64_t seed) {
   if (FLAGS_world.empty()) throw std::runtime_error("--world=FILE is missing");
   simulation::SimulationOptions options = OptionsFromFlags(seed);

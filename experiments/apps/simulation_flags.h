@@ -7,10 +7,13 @@
 #include <optional>
 #include <string>
 
+#include "experiments/apps/flag_groups.h"
 #include "experiments/apps/output_files.h"
 #include "experiments/simulation/simulation.h"
 
 namespace gmapping_spa::apps {
+
+FlagGroups SimulationFlagGroups();
 
 // A world, a tour of it and a robot.
 struct SimulationSetup {

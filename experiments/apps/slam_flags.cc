@@ -93,7 +93,7 @@ DEFINE_double(resolution_m, kSlam.resolution_m,
               "Edge length of a cell of all maps in m, from 0.005 to 10.");
 DEFINE_double(grid_occupied_threshold, kSlam.grid_occupied_threshold,
               "For scan matching, a cell is occupied when more than this part, 0 to 1, of the "
-              "beams that met it ended in it. 0: one hit is enough, for ever.");
+              "beams that met it ended in it. 0: one hit is enough, forever.");
 DEFINE_double(occupied_threshold, kSlam.occupied_threshold,
               "In the map written, a cell is occupied when more than this part, 0 to 1, of the "
               "beams that met it ended in it.");
@@ -134,7 +134,7 @@ DEFINE_double(likelihood_gain, kSlam.likelihood_gain,
               "their errors.");
 DEFINE_bool(unseen_is_miss, kSlam.unseen_is_miss,
             "Likelihood of a scan: a beam that ends where no beam has been yet counts as one that "
-            "does not fit the map, as in GMapping. Without it, such a beam says nothing.");
+            "does not fit the map, as in GMapping. Without it, such a beam does not count.");
 DEFINE_double(unmatched_sigmas, kSlam.unmatched_sigmas,
               "Likelihood of a scan: distance in standard deviations, from 0.001 to 100, that a "
               "beam counts which the map does not explain.");
@@ -221,6 +221,35 @@ void AddMotionOptions(SlamOptions* options) {
 }
 
 }  // namespace
+
+FlagGroups SlamFlagGroups() {
+  const FlagGroups filter = {
+      {"filter",
+       "Particle filter",
+       {"particles", "seed", "threads", "linear_update_m", "angular_update_rad", "proposal",
+        "obs_sigma_gain", "resample_threshold"}},
+      {"odometry",
+       "Odometry and deskewing",
+       {"odometry", "max_speed_m_s", "max_turn_rad_s", "sweep_duration_s"}},
+      {"motion_model",
+       "Motion model",
+       {"motion_noise", "motion_linear_per_linear", "motion_linear_per_angular",
+        "motion_lateral_per_linear", "motion_angular_per_linear", "motion_angular_per_angular",
+        "motion_linear_floor_m", "motion_angular_floor_rad"}},
+      {"scan_matching",
+       "Scan matching",
+       {"scan_matcher", "match_start", "initial_guesses", "match_min_score", "match_noise_m",
+        "match_robust_sigmas", "match_linear_step_m", "match_angular_step_rad", "match_refinements",
+        "score_sigma_m", "free_cell_in_front"}},
+      {"likelihood",
+       "Likelihood of a scan",
+       {"likelihood", "likelihood_sigma_m", "likelihood_gain", "unmatched_sigmas",
+        "unseen_is_miss"}},
+      {"maps",
+       "Maps",
+       {"resolution_m", "grid_occupied_threshold", "occupied_threshold", "no_return_clears"}}};
+  return Join({filter, GraphFlagGroups(), BackendFlagGroups()});
+}
 
 SlamOptions SlamOptionsFromFlags() {
   SlamOptions options;

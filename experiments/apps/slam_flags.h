@@ -2,9 +2,12 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_FLAGS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_FLAGS_H_
 
+#include "experiments/apps/flag_groups.h"
 #include "frontend/api/slam_options.h"
 
 namespace gmapping_spa::apps {
+
+FlagGroups SlamFlagGroups();
 
 // Throws std::runtime_error with one line when a flag makes no sense.
 SlamOptions SlamOptionsFromFlags();

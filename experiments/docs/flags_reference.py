@@ -10,8 +10,6 @@ import subprocess
 import sys
 import xml.etree.ElementTree as xml
 
-# Flags of the project are defined in sources below this folder; the others are those of gflags and glog.
-OWN_SOURCES = "experiments/"
 # Of gflags and glog; pages may name them.
 COMMON_FLAGS = {"help", "helpfull", "helpxml", "flagfile", "version", "minloglevel", "logtostderr"}
 # `--name`, not within a longer word, and not an option of another program's command line.
@@ -24,16 +22,6 @@ def describe(executable: str) -> xml.Element:
     if start < 0:
         sys.exit(f"{executable}: expected the XML of --helpxml, found '{done.stdout[:60]}'")
     return xml.fromstring(done.stdout[start:])
-
-
-def own_flags(description: xml.Element) -> dict[str, list[xml.Element]]:
-    """By group: the name of the source file that defines them, without its folder and ending."""
-    groups: dict[str, list[xml.Element]] = {}
-    for flag in description.iter("flag"):
-        source = flag.findtext("file", "")
-        if OWN_SOURCES in source:
-            groups.setdefault(pathlib.PurePath(source).stem, []).append(flag)
-    return groups
 
 
 def shown_default(flag: xml.Element) -> str:
@@ -51,24 +39,20 @@ def cell(text: str) -> str:
     return text.replace("|", "\\|").replace("<", "&lt;").replace(">", "&gt;")
 
 
-def group_title(group: str) -> str:
-    return group.removesuffix("_main").removesuffix("_flags").replace("_", " ")
-
-
 def page_of(executables: list[str]) -> str:
-    lines = ["# Flags", "", "Made from what the executables say about themselves (`--helpxml`); "
-             "groups are the sources that define the flags.", ""]
+    lines = ["# Flags", "",
+             "Made from what the executables say about themselves (`--helpxml`).", ""]
     for executable in sorted(executables, key=lambda path: pathlib.PurePath(path).name):
         description = describe(executable)
         name = pathlib.PurePath(executable).name
         lines += [f"## {name}", ""]
         lines += [cell(line) + "\n" for line in description.findtext("usage", "").splitlines()]
-        for group, flags in own_flags(description).items():
-            lines += [f"**{group_title(group)}**", "", "| flag | type | default | meaning |",
+        for group in description.iter("group"):
+            lines += [f"**{group.findtext('title')}**", "", "| flag | type | default | meaning |",
                       "|---|---|---|---|"]
             lines += [f"| `--{flag.findtext('name')}` | {flag.findtext('type')} | "
                       f"{shown_default(flag)} | {cell(flag.findtext('meaning', ''))} |"
-                      for flag in flags]
+                      for flag in group.iter("flag")]
             lines.append("")
     return "\n".join(lines)
 
@@ -87,7 +71,7 @@ def main(words: list[str]) -> None:
     if words[:1] == ["--check"] and "--" in words:
         end = words.index("--")
         known = {flag.findtext("name") for executable in words[end + 1:]
-                 for flags in own_flags(describe(executable)).values() for flag in flags}
+                 for flag in describe(executable).iter("flag")}
         if unknown := unknown_flags(words[1:end], known | COMMON_FLAGS):
             sys.exit("\n".join(unknown))
     elif words and not words[0].startswith("-"):

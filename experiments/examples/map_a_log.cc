@@ -1,4 +1,5 @@
 // From a CARMEN log to a map: map_a_log LOG MAP writes MAP.pgm and MAP.yaml.
+#include <glog/logging.h>
 #include <gmapping_spa/map_server_io.h>
 #include <gmapping_spa/open_log.h>
 #include <gmapping_spa/slam.h>
@@ -13,6 +14,8 @@
 
 int main(int argc, char** argv) try {
   if (argc != 3) throw std::runtime_error("usage: map_a_log LOG MAP");
+  FLAGS_logtostderr = true;  // what SLAM warns of goes through glog
+  google::InitGoogleLogging(argv[0]);
   auto in = std::make_unique<std::ifstream>(argv[1]);
   if (!*in) throw std::runtime_error(std::string("cannot read ") + argv[1]);
   const auto log = gmapping_spa::sensor::OpenCarmenLog(std::move(in), argv[1], {});

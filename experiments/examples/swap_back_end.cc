@@ -1,4 +1,5 @@
 // SLAM with a back end of one's own, part of the program: here one that asks spa, and tells of it.
+#include <glog/logging.h>
 #include <gmapping_spa/open_log.h>
 #include <gmapping_spa/plugin_loader.h>
 #include <gmapping_spa/slam.h>
@@ -30,6 +31,8 @@ class TalkingOptimizer : public backend::Optimizer {
 
 int main(int argc, char** argv) try {
   if (argc != 2) throw std::runtime_error("usage: swap_back_end LOG");
+  FLAGS_logtostderr = true;  // what SLAM warns of goes through glog
+  google::InitGoogleLogging(argv[0]);
   auto in = std::make_unique<std::ifstream>(argv[1]);
   if (!*in) throw std::runtime_error(std::string("cannot read ") + argv[1]);
   const auto log = gmapping_spa::sensor::OpenCarmenLog(std::move(in), argv[1], {});

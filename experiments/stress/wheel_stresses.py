@@ -90,7 +90,7 @@ def first_garbage(log, rng, size):
 
 @stress
 def drop(log, rng, size):
-    """5 times the wheels say nothing for 4 scans, then all at once"""
+    """5 times the odometry stands still for 4 scans, then catches up at once"""
     odometry, count = odometry_of(log.scans()), max(1, round(4 * size))
     steps = poses.steps_of(odometry)
     motion = np.hypot(steps[:, 0], steps[:, 1]) + np.abs(steps[:, 2])
@@ -126,7 +126,7 @@ def noisy(log, rng, size):
 
 @stress
 def wheel_bias(log, rng, size):
-    """the right wheel, 0.4 m from the left one, is 2 % larger than the robot believes"""
+    """the right wheel, 0.4 m from the left one, is 2 % larger than the odometry assumes"""
     def change(steps):
         too_far = 0.02 * size * (steps[:, 0] + steps[:, 2] * TRACK_M / 2)
         return steps + np.stack([too_far / 2, np.zeros(len(steps)), too_far / TRACK_M], axis=-1)

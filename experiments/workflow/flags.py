@@ -20,17 +20,12 @@ Value = bool | int | float | str
 def read_flags(binary: pathlib.Path) -> dict[str, str]:
     """The type of each of the executable's own flags, not those of its libraries."""
     try:
-        # gflags ends with status 1 after it has printed its help.
         printed = subprocess.run([binary, "--helpxml"], capture_output=True, text=True).stdout
     except OSError as error:
         raise StudyError(f"{binary}: {error.strerror}; build it, or name its folder by --bin") \
             from error
-    flags = {
-        flag.findtext("name", ""): flag.findtext("type", "")
-        for flag in xml.etree.ElementTree.fromstring(printed).iter("flag")
-        if "experiments/apps/" in flag.findtext("file", "")
-    }
-    return flags
+    return {flag.findtext("name", ""): flag.findtext("type", "")
+            for flag in xml.etree.ElementTree.fromstring(printed).iterfind("group/flag")}
 
 
 def value_of(entry: Entry, kind: str) -> Value:

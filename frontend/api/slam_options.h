@@ -10,7 +10,7 @@
 
 namespace gmapping_spa {
 
-/// Each member is the flag of the same name of the executable `gmapping_spa`, whose `--helpfull`
+/// Each member is the flag of the same name of the executable `gmapping_spa`, whose `--help`
 /// says more; the defaults are what it runs without flags. A plain value: copy it, compare it.
 struct SlamOptions {
   /// What the README calls improved GMapping: the defaults.

@@ -12,7 +12,7 @@ struct InsertionOptions {
   // Whether a beam without return counts as free space up to the usable range. Off by default: on
   // many scanners a missing return also means glass, black or grazing surfaces.
   bool no_return_clears = false;
-  // A hit says nothing about so much of the way before it: a beam that grazes a wall passes through
+  // A hit does not clear so much of the beam before it: a beam that grazes a wall passes through
   // cells of that wall.
   double clear_margin_m = 0.0;
   friend bool operator==(const InsertionOptions&, const InsertionOptions&) = default;

@@ -26,9 +26,9 @@ struct Proposal {
 // the factor of the importance weight.
 //
 // The region that the samples must cover differs in size by orders of magnitude: along a corridor a
-// scan says nothing, across it millimetres. Therefore they form a 3 x 3 x 3 lattice along the
-// principal axes of the target's curvature at the optimum, taken over a map cell, sqrt(3) standard
-// deviations to either side: wide where only the motion prior ends it.
+// scan does not constrain it, across it millimetres. Therefore they form a 3 x 3 x 3 lattice along
+// the principal axes of the target's curvature at the optimum, taken over a map cell, sqrt(3)
+// standard deviations to either side: wide where only the motion prior ends it.
 Proposal ComputeProposal(scan_matching::EndpointModel* model,
                          const backend::SE2& optimum_world_T_robot,
                          const PoseGaussian& motion_prior);

@@ -18,7 +18,7 @@ struct SearchWindow {
 };
 
 struct CorrelativeMatch {
-  bool found = false;       // whether some pose reached min_score; if not, the rest says nothing
+  bool found = false;       // whether some pose reached min_score; if not, the rest is meaningless
   backend::SE2 map_T_scan;  // the best pose; of equally good ones that nearest to the initial pose
   double score = 0.0;       // there: mean over the points of the likelihood field, 0 to 1
   // Best score outside the peak of the best pose, or runner_up_floor times `score` if nothing

@@ -15,8 +15,8 @@ namespace gmapping_spa::scan_matching {
 
 // What the beams of a scan say about a pose. A beam that ends at a surface of the map speaks for
 // it, one that ends in free space or behind a surface against it. One that ends in unseen space
-// says nothing: whoever counts it as a miss is pulled back to what is known. Beams count by their
-// ScanPoint::weight.
+// is no evidence: counted as a miss it would pull the robot back to what is known. Beams count by
+// their ScanPoint::weight.
 struct Evidence {
   double explained = 0.0;     // sum over the beams at a surface of exp(-d^2 / 2 score_sigma^2)
   double contradicted = 0.0;  // number of beams
@@ -78,7 +78,7 @@ class EndpointModel {
   // be given up half-way; what is returned then is below it, too.
   double Score(const backend::SE2& world_T_robot, double at_least = 0.0);
 
-  // What the beams say about the pose, told apart from where they say nothing.
+  // What the beams say about the pose, told apart from where they are no evidence.
   Evidence Evaluate(const backend::SE2& world_T_robot);
 
   // log p(z | m, x) up to a constant, in nats: the gain times the sum over the beams of -d^2 / 2,

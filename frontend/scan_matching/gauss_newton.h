@@ -35,8 +35,8 @@ class GaussNewton {
   explicit GaussNewton(const Options& options);
 
   // The minimum itself, however well it fits. `prior_information`: how sure the initial pose is
-  // about (x, y, theta) in the world frame; positive definite, since a corridor says nothing about
-  // the way along it.
+  // about (x, y, theta) in the world frame; positive definite, since a corridor does not constrain
+  // the motion along it.
   Alignment Align(const map::OccupancyGrid& grid, const ScanPoints& points,
                   const backend::SE2& initial_world_T_robot,
                   const Eigen::Matrix3d& prior_information) const;

@@ -23,7 +23,7 @@ constexpr double kSmooth_m = 0.03;
 
 // Beams that end farther apart than this, as seen from the laser, count in full.
 constexpr double kIndependent_m = 0.1;
-constexpr double kLeastWeight = 0.1;  // or a covered laser would say nothing at all
+constexpr double kLeastWeight = 0.1;  // or a covered laser would have no weight at all
 
 constexpr double kRangeNoise_m = 0.015;  // standard deviation of common lasers
 

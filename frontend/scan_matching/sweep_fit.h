@@ -20,8 +20,9 @@ struct SweepFit {
 
 // Aligns a scan with a map by the pose and the duration of the sweep at once: Gauss-Newton on
 // distances of points to surfaces, as in gauss_newton.h. `points`: not deskewed. `velocity`: of the
-// robot, a twist in its frame (m/s, m/s, rad/s); a robot that stands still tells nothing. Sees no
-// farther than two cells: begin with several durations, and take the fit with the most inliers.
+// robot, a twist in its frame (m/s, m/s, rad/s); a robot that stands still does not constrain it.
+// Sees no farther than two cells: begin with several durations, and take the fit with the most
+// inliers.
 SweepFit FitSweep(const map::OccupancyGrid& grid, const ScanPoints& points,
                   const Eigen::Vector3d& velocity, const SweepFit& initial,
                   const GaussNewton::Options& options);

@@ -18,7 +18,7 @@ using backend::SE2;
 // Room for half a million readings; what is longer is not a log, and must not fill the memory.
 constexpr std::size_t kMaxLineBytes = 4 << 20;
 
-// Records of the format that say nothing about scans of the front laser or about odometry.
+// Records of the format without scans of the front laser or odometry.
 bool IsIgnored(std::string_view type) {
   return type.starts_with('#') || type.starts_with("NMEA") || type == "SYNC" || type == "TRUEPOS" ||
          type == "RLASER";

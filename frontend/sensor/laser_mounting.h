@@ -13,7 +13,7 @@ namespace gmapping_spa::sensor {
 
 // FLASER and ROBOTLASER1 records have a pose of the laser beside that of the robot. In raw logs the
 // one follows from the other by the mounting; in corrected logs, which are common, the laser's
-// comes from a map and says nothing about it, and some loggers never set it. So the first such
+// comes from a map and does not tell it, and some loggers never set it. So the first such
 // records are held back and compared: where all agree on one mounting, it is used for all scans
 // that have no other, else the laser is taken to be where the robot is.
 //

@@ -28,7 +28,7 @@ struct LaserScan {
   backend::SE2 odom_T_robot;   // raw odometry at that time
   backend::SE2 robot_T_laser;  // mounting
   std::vector<Beam> beams;     // in order of measurement
-  bool has_odometry = true;    // false: the log has none for this scan, odom_T_robot says nothing
+  bool has_odometry = true;    // false: the log has none for this scan, odom_T_robot is not set
 };
 
 }  // namespace gmapping_spa::sensor

@@ -15,11 +15,11 @@ using backend::SE2;
 constexpr backend::EnumName<OdometryFault> kFaults[] = {
     {"none", OdometryFault::kNone},
     {"first", OdometryFault::kFirst},
-    {"impossible", OdometryFault::kImpossible},
-    {"restart", OdometryFault::kRestart},
+    {"odometry_impossible", OdometryFault::kImpossible},
+    {"odometry_restart", OdometryFault::kRestart},
     {"unchanged", OdometryFault::kUnchanged},
     {"repeated_scan", OdometryFault::kRepeatedScan},
-    {"missing", OdometryFault::kMissing}};
+    {"odometry_missing", OdometryFault::kMissing}};
 
 // Loggers give stamps milliseconds apart to scans that were waiting.
 constexpr double kShortestPeriodS = 0.1;
@@ -64,6 +64,24 @@ bool IsRepeated(const std::vector<Beam>& before, const std::vector<Beam>& beams)
 }  // namespace
 
 const char* OdometryFaultName(OdometryFault fault) { return NameOf(kFaults, fault); }
+
+const char* OdometryFaultMessage(OdometryFault fault) {
+  switch (fault) {
+    case OdometryFault::kImpossible:
+      return "the odometry makes a step that no robot makes";
+    case OdometryFault::kRestart:
+      return "the odometry jumps back to where it began, as encoders that restart do";
+    case OdometryFault::kRepeatedScan:
+      return "a scan repeats the one before bit for bit while the wheels move";
+    case OdometryFault::kMissing:
+      return "no odometry";
+    case OdometryFault::kNone:
+    case OdometryFault::kFirst:
+    case OdometryFault::kUnchanged:
+      break;
+  }
+  return "";
+}
 
 OdometryCheck::OdometryCheck(const Options& options)
     : options_(options),

@@ -16,14 +16,17 @@ enum class OdometryFault : std::uint8_t {
   kFirst,       // the first scan: no motion to tell
   kImpossible,  // a step no robot makes, or a reading that is not finite
   kRestart,     // a sudden step to (nearly) zero or to the log's first reading: encoders restarted
-  kUnchanged,   // the reading before, bit for bit: standing still, or silent; scans decide
-  kRepeatedScan,  // the ranges before, bit for bit, while the wheels moved: the scan says nothing
+  kUnchanged,   // the reading before, bit for bit: at rest, or silent; scans decide
+  kRepeatedScan,  // the ranges before, bit for bit, while the wheels moved: the scan is of no use
   kMissing        // the log holds no odometry for this scan or the one before
 };
 
-// Its name in records: "none", "first", "impossible", "restart", "unchanged", "repeated_scan",
-// "missing".
+// Its name in records: "none", "first", "unchanged" or the key of a finding, "odometry_impossible",
+// "odometry_restart", "repeated_scan", "odometry_missing".
 const char* OdometryFaultName(OdometryFault fault);
+
+// One line for people; empty where there is nothing to report: kNone, kFirst, kUnchanged.
+const char* OdometryFaultMessage(OdometryFault fault);
 
 // Takes the scans of a log in order. Every step is judged by the reading before it alone, so that
 // after a fault the next good reading counts again.

@@ -51,11 +51,16 @@ GraphThread::Options Lockstep(int scans, double timeout_s = 60.0) {
   return {GraphThread::Mode::kLockstep, scans, timeout_s};
 }
 
+std::int64_t CountOf(const Health& health, const char* kind) {
+  const auto found = health.findings().find(kind);
+  return found == health.findings().end() ? 0 : found->second.count;
+}
+
 // Advances until a result comes, for five seconds at most.
 std::optional<PoseGraph> AdvanceUntilTaken(GraphThread* thread) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
   while (std::chrono::steady_clock::now() < deadline) {
-    if (auto graph = thread->Advance()) return graph;
+    if (auto graph = thread->Advance(0.0)) return graph;
     std::this_thread::yield();
   }
   return std::nullopt;
@@ -63,7 +68,8 @@ std::optional<PoseGraph> AdvanceUntilTaken(GraphThread* thread) {
 
 TEST(GraphThread, LockstepTakesTheResultAtTheNthScanThoughItWasThereBefore) {
   std::binary_semaphore done{0};
-  GraphThread thread(Lockstep(5), [&done](PoseGraph* graph) {
+  Health health;
+  GraphThread thread(Lockstep(5), &health, [&done](PoseGraph* graph) {
     graph->nodes.at(0).world_T_node.x += 1.0;
     done.release();
     return Ended(Termination::kConverged);
@@ -71,24 +77,25 @@ TEST(GraphThread, LockstepTakesTheResultAtTheNthScanThoughItWasThereBefore) {
   thread.Start(GraphAt(10));
   done.acquire();
   for (int scan = 1; scan < 5; ++scan) {
-    EXPECT_FALSE(thread.Advance()) << scan;
+    EXPECT_FALSE(thread.Advance(0.0)) << scan;
     EXPECT_TRUE(thread.busy());
   }
-  const std::optional<PoseGraph> taken = thread.Advance();
+  const std::optional<PoseGraph> taken = thread.Advance(0.0);
   ASSERT_TRUE(taken);
   EXPECT_EQ(XOf(*taken), 11);
   EXPECT_FALSE(thread.busy());
-  EXPECT_FALSE(thread.Advance());
+  EXPECT_FALSE(thread.Advance(0.0));
 }
 
 TEST(GraphThread, LockstepWaitsAtTheNthScanForASlowBackEnd) {
   const Backend backend;
-  GraphThread thread(Lockstep(3), backend.Function());
+  Health health;
+  GraphThread thread(Lockstep(3), &health, backend.Function());
   thread.Start(GraphAt(10));
-  EXPECT_FALSE(thread.Advance());
-  EXPECT_FALSE(thread.Advance());
+  EXPECT_FALSE(thread.Advance(0.0));
+  EXPECT_FALSE(thread.Advance(0.0));
   const std::jthread allow([&backend] { backend.Allow(); });
-  const std::optional<PoseGraph> taken = thread.Advance();
+  const std::optional<PoseGraph> taken = thread.Advance(0.0);
   ASSERT_TRUE(taken);
   EXPECT_EQ(XOf(*taken), 11);
   EXPECT_EQ(thread.counts().late, 0);
@@ -97,12 +104,13 @@ TEST(GraphThread, LockstepWaitsAtTheNthScanForASlowBackEnd) {
 TEST(GraphThread, LockstepCountsFromTheLatestStart) {
   const Backend backend;
   backend.Allow(3);
-  GraphThread thread(Lockstep(2), backend.Function());
+  Health health;
+  GraphThread thread(Lockstep(2), &health, backend.Function());
   for (int round = 0; round < 3; ++round) {
-    EXPECT_FALSE(thread.Advance()) << "nothing was started";
+    EXPECT_FALSE(thread.Advance(0.0)) << "nothing was started";
     thread.Start(GraphAt(round));
-    EXPECT_FALSE(thread.Advance());
-    const std::optional<PoseGraph> taken = thread.Advance();
+    EXPECT_FALSE(thread.Advance(0.0));
+    const std::optional<PoseGraph> taken = thread.Advance(0.0);
     ASSERT_TRUE(taken);
     EXPECT_EQ(XOf(*taken), round + 1);
   }
@@ -112,19 +120,21 @@ TEST(GraphThread, LockstepCountsFromTheLatestStart) {
 
 TEST(GraphThread, InlineWaitsAtTheNextScan) {
   const Backend backend;
-  GraphThread thread({GraphThread::Mode::kInline, 10, 60.0}, backend.Function());
+  Health health;
+  GraphThread thread({GraphThread::Mode::kInline, 10, 60.0}, &health, backend.Function());
   thread.Start(GraphAt(10));
   const std::jthread allow([&backend] { backend.Allow(); });
-  const std::optional<PoseGraph> taken = thread.Advance();
+  const std::optional<PoseGraph> taken = thread.Advance(0.0);
   ASSERT_TRUE(taken);
   EXPECT_EQ(XOf(*taken), 11);
 }
 
 TEST(GraphThread, AsyncDoesNotWaitAndTakesTheResultWhenItIsThere) {
   const Backend backend;
-  GraphThread thread({GraphThread::Mode::kAsync, 2, 60.0}, backend.Function());
+  Health health;
+  GraphThread thread({GraphThread::Mode::kAsync, 2, 60.0}, &health, backend.Function());
   thread.Start(GraphAt(10));
-  for (int scan = 0; scan < 20; ++scan) EXPECT_FALSE(thread.Advance());
+  for (int scan = 0; scan < 20; ++scan) EXPECT_FALSE(thread.Advance(0.0));
   EXPECT_TRUE(thread.busy());
   backend.Allow();
   const std::optional<PoseGraph> taken = AdvanceUntilTaken(&thread);
@@ -135,7 +145,8 @@ TEST(GraphThread, AsyncDoesNotWaitAndTakesTheResultWhenItIsThere) {
 
 TEST(GraphThread, FailureCostsOnlyItsResult) {
   int calls = 0;
-  GraphThread thread(Lockstep(2), [&calls](PoseGraph* graph) -> Summary {
+  Health health;
+  GraphThread thread(Lockstep(2), &health, [&calls](PoseGraph* graph) -> Summary {
     graph->nodes.at(0).world_T_node.x += 1.0;
     switch (++calls) {
       case 1:
@@ -150,29 +161,33 @@ TEST(GraphThread, FailureCostsOnlyItsResult) {
   });
   for (int failures = 1; failures <= 3; ++failures) {
     thread.Start(GraphAt(10));
-    EXPECT_FALSE(thread.Advance());
-    EXPECT_FALSE(thread.Advance());
+    EXPECT_FALSE(thread.Advance(0.0));
+    EXPECT_FALSE(thread.Advance(0.0));
     EXPECT_FALSE(thread.busy());
     EXPECT_EQ(thread.counts().failed, failures);
   }
   thread.Start(GraphAt(10));
-  EXPECT_FALSE(thread.Advance());
-  const std::optional<PoseGraph> taken = thread.Advance();
+  EXPECT_FALSE(thread.Advance(0.0));
+  const std::optional<PoseGraph> taken = thread.Advance(0.0);
   ASSERT_TRUE(taken);
   EXPECT_EQ(XOf(*taken), 11);
   EXPECT_EQ(thread.counts().started, 4);
   EXPECT_EQ(thread.counts().taken, 1);
   EXPECT_EQ(thread.counts().failed, 3);
+  EXPECT_EQ(CountOf(health, "backend_failed"), 3);
+  EXPECT_EQ(CountOf(health, "backend_not_converged"), 1);
 }
 
 TEST(GraphThread, GoesOnWithoutABackEndThatHangsAndTakesItsResultWhenItComes) {
   for (const GraphThread::Mode mode : {GraphThread::Mode::kLockstep, GraphThread::Mode::kInline}) {
     const Backend backend;
-    GraphThread thread({mode, 1, 0.005}, backend.Function());
+    Health health;
+    GraphThread thread({mode, 1, 0.005}, &health, backend.Function());
     thread.Start(GraphAt(10));
-    for (int scan = 0; scan < 10; ++scan) EXPECT_FALSE(thread.Advance());
+    for (int scan = 0; scan < 10; ++scan) EXPECT_FALSE(thread.Advance(0.0));
     EXPECT_TRUE(thread.busy());
     EXPECT_EQ(thread.counts().late, 1);
+    EXPECT_EQ(CountOf(health, "backend_late"), 1);
     backend.Allow();
     const std::optional<PoseGraph> taken = AdvanceUntilTaken(&thread);
     ASSERT_TRUE(taken);
@@ -189,12 +204,13 @@ TEST(GraphThread, GoesOnWithoutABackEndThatHangsAndTakesItsResultWhenItComes) {
 
 TEST(GraphThread, WaitsForABackEndThatHangsOnlyOnce) {
   const Backend backend;
-  GraphThread thread(Lockstep(1, 0.1), backend.Function());
+  Health health;
+  GraphThread thread(Lockstep(1, 0.1), &health, backend.Function());
   thread.Start(GraphAt(10));
   const auto start = std::chrono::steady_clock::now();
-  EXPECT_FALSE(thread.Advance());
+  EXPECT_FALSE(thread.Advance(0.0));
   EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(100));
-  for (int scan = 0; scan < 50; ++scan) EXPECT_FALSE(thread.Advance());
+  for (int scan = 0; scan < 50; ++scan) EXPECT_FALSE(thread.Advance(0.0));
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
   backend.Allow();
 }
@@ -204,7 +220,8 @@ TEST(GraphThread, TimeoutOfZeroTakesWhatIsThere) {
        {GraphThread::Mode::kLockstep, GraphThread::Mode::kInline, GraphThread::Mode::kAsync}) {
     const Backend backend;
     backend.Allow();
-    GraphThread thread({mode, 2, 0.0}, backend.Function());
+    Health health;
+    GraphThread thread({mode, 2, 0.0}, &health, backend.Function());
     thread.Start(GraphAt(10));
     EXPECT_TRUE(AdvanceUntilTaken(&thread)) << static_cast<int>(mode);
   }
@@ -213,7 +230,8 @@ TEST(GraphThread, TimeoutOfZeroTakesWhatIsThere) {
 TEST(GraphThread, FinishTakesWhatRunsBeforeItIsDue) {
   const Backend backend;
   backend.Allow();
-  GraphThread thread(Lockstep(100), backend.Function());
+  Health health;
+  GraphThread thread(Lockstep(100), &health, backend.Function());
   EXPECT_FALSE(thread.Finish()) << "nothing was started";
   thread.Start(GraphAt(10));
   const std::optional<PoseGraph> taken = thread.Finish();
@@ -224,7 +242,8 @@ TEST(GraphThread, FinishTakesWhatRunsBeforeItIsDue) {
 
 TEST(GraphThread, FinishGivesUpOnABackEndThatHangs) {
   const Backend backend;
-  GraphThread thread(Lockstep(100, 0.005), backend.Function());
+  Health health;
+  GraphThread thread(Lockstep(100, 0.005), &health, backend.Function());
   thread.Start(GraphAt(10));
   EXPECT_FALSE(thread.Finish());
   EXPECT_TRUE(thread.busy());
@@ -236,7 +255,8 @@ TEST(GraphThread, FinishGivesUpOnABackEndThatHangs) {
 TEST(GraphThread, RunWaitsForTheResult) {
   const Backend backend;
   backend.Allow(2);
-  GraphThread thread(Lockstep(100), backend.Function());
+  Health health;
+  GraphThread thread(Lockstep(100), &health, backend.Function());
   for (int run = 0; run < 2; ++run) {
     const std::optional<PoseGraph> optimized = thread.Run(GraphAt(run));
     ASSERT_TRUE(optimized);
@@ -247,10 +267,12 @@ TEST(GraphThread, RunWaitsForTheResult) {
 
 TEST(GraphThread, RunGivesNothingWhileTheBackEndHangs) {
   const Backend backend;
-  GraphThread thread(Lockstep(1, 0.005), backend.Function());
+  Health health;
+  GraphThread thread(Lockstep(1, 0.005), &health, backend.Function());
   thread.Start(GraphAt(10));
   EXPECT_FALSE(thread.Run(GraphAt(20)));
   EXPECT_EQ(thread.counts().started, 1);
+  EXPECT_EQ(CountOf(health, "backend_busy"), 1);
   backend.Allow();
 }
 
@@ -258,14 +280,40 @@ TEST(GraphThreadDeathTest, OptimizesOneSnapshotAtATime) {
   testing::GTEST_FLAG(death_test_style) = "threadsafe";
   const Backend backend;
   backend.Allow();
-  GraphThread thread(Lockstep(1), backend.Function());
+  Health health;
+  GraphThread thread(Lockstep(1), &health, backend.Function());
   thread.Start(GraphAt(10));
   EXPECT_DEATH(thread.Start(GraphAt(20)), "busy");
 }
 
+TEST(GraphThread, ReportsWithTheStampOfTheLatestScan) {
+  Health health;
+  GraphThread thread(Lockstep(1), &health, [](PoseGraph*) { return Summary{}; });
+  for (const double stamp_s : {12.5, 13.5}) {
+    thread.Start(GraphAt(10));
+    EXPECT_FALSE(thread.Advance(stamp_s));
+  }
+  EXPECT_FALSE(thread.Run(GraphAt(10)));
+  const Finding& failed = health.findings().at("backend_failed");
+  EXPECT_EQ(failed.count, 3);
+  EXPECT_EQ(failed.first_stamp_s, 12.5);
+  EXPECT_EQ(failed.last_stamp_s, 13.5);
+}
+
+TEST(GraphThread, ABackEndThatConvergesIsNothingToReport) {
+  const Backend backend;
+  backend.Allow();
+  Health health;
+  GraphThread thread(Lockstep(1), &health, backend.Function());
+  thread.Start(GraphAt(10));
+  EXPECT_TRUE(thread.Advance(0.0));
+  EXPECT_TRUE(health.findings().empty());
+}
+
 TEST(GraphThreadDeathTest, LockstepNeedsAtLeastOneScan) {
   testing::GTEST_FLAG(death_test_style) = "threadsafe";
-  EXPECT_DEATH(GraphThread(Lockstep(0), Backend().Function()), "lockstep_scans");
+  Health health;
+  EXPECT_DEATH(GraphThread(Lockstep(0), &health, Backend().Function()), "lockstep_scans");
 }
 
 }  // namespace

@@ -240,6 +240,8 @@ TEST_F(LoopDrive, ABackEndThatHangsIsAsGoodAsNone) {
   });
   EXPECT_EQ(Bytes(gmapping->Finish().trajectory), TrajectoryBytes(Options(), DoNothing));
   EXPECT_EQ(gmapping->graph_thread().counts().started, 1);
+  EXPECT_EQ(gmapping->health().findings().count("backend_late"), 1u);
+  EXPECT_EQ(gmapping->health().findings().count("backend_busy"), 1u);
   end->release();
 }
 

@@ -24,7 +24,8 @@ namespace {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  std::exit(RunApp(static_cast<int>(words.size()), argv.data(), "tests itself.", run));
+  const FlagGroups groups = {{"map", "Map", {"particles", "verbose_map"}}};
+  std::exit(RunApp(static_cast<int>(words.size()), argv.data(), "tests itself.", groups, run));
 }
 
 void Nothing() {}
@@ -44,16 +45,38 @@ TEST(RunApp, ParsesFlagsBeforeItRuns) {
               ExitedWithCode(7), "^$");
 }
 
+TEST(RunApp, TakesTheNextWordAsAValueUnlessTheFlagIsASwitch) {
+  EXPECT_EXIT(Main(
+                  {
+                      "-particles",
+                      "7",
+                      "-verbose-map",
+                      "--logtostderr",
+                      "--",
+                  },
+                  [] { std::exit(FLAGS_particles); }),
+              ExitedWithCode(7), "^$");
+  EXPECT_EXIT(Main({"--verbose_map", "false"}, Nothing), ExitedWithCode(1),
+              "expected flags only, found 'false'");
+}
+
 TEST(RunApp, RefusesWordsLeftOver) {
+  EXPECT_EXIT(Main({"--", "--particles=7"}, [] { std::exit(0); }), ExitedWithCode(1),
+              "expected flags only, found '--particles=7'");
   EXPECT_EXIT(Main({"--particles=7", "log.clf"}, [] { std::exit(0); }), ExitedWithCode(1),
               "^tool: error: expected flags only, found 'log.clf'[^\n]*\n$");
 }
 
 TEST(RunApp, RefusesUnknownFlagsAndBadValues) {
   EXPECT_EXIT(Main({"--particels=7"}, Nothing), ExitedWithCode(1),
-              "^ERROR: unknown command line flag 'particels'\n$");
+              "^tool: error: unknown flag '--particels' [^\n]*\n$");
+  EXPECT_EXIT(Main({"--noparticles"}, Nothing), ExitedWithCode(1),
+              "^tool: error: unknown flag '--noparticles' [^\n]*\n$");
+  EXPECT_EXIT(Main({"--particles"}, Nothing), ExitedWithCode(1),
+              "^tool: error: --particles: expected a value\n$");
   EXPECT_EXIT(Main({"--particles=many"}, Nothing), ExitedWithCode(1),
-              "^ERROR: [^\n]*many[^\n]*\n$");
+              "^tool: error: command line: --particles: expected a value of type int32, found "
+              "'many'\n$");
 }
 
 TEST(RunApp, BadLoggingFlagsDoNotStopIt) {

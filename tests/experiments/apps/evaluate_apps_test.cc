@@ -74,7 +74,7 @@ TEST_F(EvaluateRelationsApp, BadFlagsAreOneLine) {
   EXPECT_THAT(ErrorOf({EVALUATE_RELATIONS, relations, poses, "--max_gap_s=-1"}),
               HasSubstr("--max_gap_s"));
   EXPECT_THAT(ErrorOf({EVALUATE_RELATIONS, relations, poses, "--max_gap=1"}),
-              HasSubstr("unknown command line flag 'max_gap'"));
+              HasSubstr("evaluate_relations: error: unknown flag '--max_gap'"));
   EXPECT_THAT(ErrorOf({EVALUATE_RELATIONS, relations, poses, "more"}), HasSubstr("'more'"));
 }
 

@@ -83,6 +83,14 @@ TEST_F(GmappingSpaTour, ResultsOfTheBackEndComeWhenTheFlagSays) {
   }
 }
 
+TEST_F(GmappingSpaTour, ABackEndThatRunsOutOfTimeIsInTheHealthOfTheRun) {
+  EXPECT_EQ(ReadRunRecord(Result())["health"].count("backend_not_converged"), 0u);
+  Run(folder_.path(), {"--max_solver_time_s=1e-9"});
+  const Json finding = ReadRunRecord(folder_.path())["health"]["backend_not_converged"];
+  EXPECT_GE(finding["count"], 2);
+  EXPECT_EQ(finding["message"], "the back end ended before it had converged: ran out of time");
+}
+
 TEST_F(GmappingSpaTour, APluginByItsPathIsTheSameBackEnd) {
   Run(folder_.path(), {std::string("--backend=") + PLUGIN});
   EXPECT_TRUE(Contents(Result("trajectory.tum")) == Contents(folder_.Path("trajectory.tum")));

@@ -114,7 +114,9 @@ TEST_F(GmappingSpaTour, RunRecordTellsWhatWasRunOnWhat) {
   EXPECT_EQ(record["flags"]["particles"], 5);
   EXPECT_EQ(record["flags"]["linear_update_m"], 0.5);
   EXPECT_EQ(record["flags"]["backend"], "spa");
-  EXPECT_NE(record["versions"]["gmapping_spa"], "");
+  EXPECT_EQ(RunCommand({GMAPPING_SPA, "--version"}).out,
+            "gmapping_spa version " + record["versions"]["gmapping_spa"].get<std::string>() + "+" +
+                record["versions"]["commit"].get<std::string>() + "\n");
   EXPECT_EQ(record["counts"]["scans"], ReadTrajectory(shared_->Path("truth.tum")).size());
   EXPECT_EQ(record["counts"]["scans"], record["input"]["records"]["scans"]);
   EXPECT_EQ(record["input"]["records"]["malformed_records"], 0);

@@ -74,7 +74,9 @@ TEST_F(InspectLog, ReportsScansTimesBeamsAndRanges) {
   EXPECT_EQ(report["laser_pose"]["from"], "the log, or by default");
   EXPECT_EQ(report["odometry"]["scans"], 50);
   EXPECT_NEAR(report["odometry"]["path_m"].get<double>(), 49 * 0.05, 1e-6);
-  EXPECT_EQ(report["odometry"]["faults"], nlohmann::json::object());
+  EXPECT_EQ(report["health"].size(), 2u) << report["health"];
+  EXPECT_EQ(report["health"]["unknown_records"]["count"], 1);
+  EXPECT_EQ(report["health"]["assumed_field_of_view"]["count"], 50);
 }
 
 TEST_F(InspectLog, FlagsOfTheLogHoldAsForGmappingSpa) {
@@ -88,20 +90,21 @@ TEST_F(InspectLog, FlagsOfTheLogHoldAsForGmappingSpa) {
   EXPECT_THAT(report["advice"].dump(), HasSubstr("field of view below 180 deg"));
 }
 
-TEST_F(InspectLog, FaultsOfTheOdometryHaveTheirTimesAndAnAdvice) {
-  const nlohmann::json report = Report(Log(50, [](int i) {
+TEST_F(InspectLog, FaultsOfTheOdometryHaveTheKeysOfARunAndTheirTimes) {
+  const std::string log = Log(50, [](int i) {
     return i < 20 ? 30.0 + 0.05 * i : i < 30 ? 80.0 + 0.05 * i : i < 40 ? 82.0 : 0.05 * (i - 40);
-  }));
-  const nlohmann::json& odometry = report["odometry"];
-  EXPECT_EQ(odometry["faults"]["impossible"]["count"], 1);
-  EXPECT_NEAR(odometry["faults"]["impossible"]["first_s"].get<double>(), 104.0, 1e-6);
-  EXPECT_EQ(odometry["faults"]["restart"]["count"], 1);
-  EXPECT_EQ(odometry["unchanged_steps"], 9);
-  ASSERT_EQ(odometry["silent_while_scans_change"].size(), 1u);
-  EXPECT_EQ(odometry["longest_steps"][0]["fault"], "restart");
-  const std::string advice = report["advice"].dump();
-  EXPECT_THAT(advice, AllOf(HasSubstr("faster than a robot, the first at 104.000 s"),
-                            HasSubstr("odometry starts again"), HasSubstr("says nothing in 1")));
+  });
+  const nlohmann::json report = Report(log);
+  const nlohmann::json& health = report["health"];
+  EXPECT_EQ(health["odometry_impossible"]["count"], 1);
+  EXPECT_NEAR(health["odometry_impossible"]["first_s"].get<double>(), 104.0, 1e-6);
+  EXPECT_EQ(health["odometry_restart"]["count"], 1);
+  ASSERT_EQ(health["odometry_silent"]["stretches"].size(), 1u);
+  EXPECT_EQ(report["odometry"]["unchanged_steps"], 9);
+  EXPECT_EQ(report["odometry"]["longest_steps"][0]["fault"], "odometry_restart");
+  EXPECT_THAT(Run(log).out,
+              AllOf(HasSubstr("  odometry_impossible: 1 times from 104.000 s to 104.000 s: the "),
+                    HasSubstr("  assumed_field_of_view: 50 scans do not tell")));
 }
 
 TEST_F(InspectLog, OdometryThatNeverChangesIsSaidToBeSo) {
@@ -112,7 +115,7 @@ TEST_F(InspectLog, OdometryThatNeverChangesIsSaidToBeSo) {
 TEST_F(InspectLog, ALogWhoseBeamsNeverHitIsDescribedNotRefused) {
   const nlohmann::json report = Report(Log(
       5, [](int i) { return 0.1 * i; }, 0.01));
-  EXPECT_THAT(report["advice"].dump(), HasSubstr("cm or mm"));
+  EXPECT_THAT(report["health"]["few_hits"].dump(), HasSubstr("cm or mm"));
 }
 
 TEST_F(InspectLog, TextSaysTheSame) {
@@ -121,7 +124,7 @@ TEST_F(InspectLog, TextSaysTheSame) {
   EXPECT_THAT(result.out,
               AllOf(HasSubstr("log.clf: 50 scans in 9.8 s"), HasSubstr("50 scans of 181 beams"),
                     HasSubstr("from -90.00 to 90.00 deg, assumed"), HasSubstr("#####"),
-                    HasSubstr("Odometry: of 50 scans"), HasSubstr("Advice:")));
+                    HasSubstr("Odometry: of 50 scans"), HasSubstr("Health, as run.json")));
   EXPECT_FALSE(std::filesystem::exists(folder_.Path("inspect.png")));
 }
 

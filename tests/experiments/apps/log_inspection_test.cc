@@ -55,11 +55,11 @@ TEST(LogInspection, KeepsRawStepsAndCountsFaultsByTheirName) {
   EXPECT_NEAR(summary.steps[0].turn_rad, 0.1, 1e-9);
   EXPECT_NEAR(summary.steps[1].length_m, 30.0, 1e-9);
   EXPECT_EQ(summary.steps[1].fault, sensor::OdometryFault::kImpossible);
-  ASSERT_THAT(summary.faults, SizeIs(2));
-  EXPECT_EQ(summary.faults.at("impossible").count, 2);
-  EXPECT_EQ(summary.faults.at("impossible").first_stamp_s, 0.4);
-  EXPECT_EQ(summary.faults.at("impossible").last_stamp_s, 0.8);
-  EXPECT_EQ(summary.faults.at("restart").count, 1);
+  ASSERT_THAT(summary.findings, SizeIs(2));
+  EXPECT_EQ(summary.findings.at("odometry_impossible").count, 2);
+  EXPECT_EQ(summary.findings.at("odometry_impossible").first_stamp_s, 0.4);
+  EXPECT_EQ(summary.findings.at("odometry_impossible").last_stamp_s, 0.8);
+  EXPECT_EQ(summary.findings.at("odometry_restart").count, 1);
 }
 
 TEST(LogInspection, WheelsAreSilentOnlyWhereScansChange) {
@@ -72,7 +72,7 @@ TEST(LogInspection, WheelsAreSilentOnlyWhereScansChange) {
   ASSERT_THAT(silent.summary().silent, SizeIs(1));
   EXPECT_NEAR(silent.summary().silent[0].begin_s, 0.4, 1e-9);
   EXPECT_NEAR(silent.summary().silent[0].end_s, 3.8, 1e-9);
-  EXPECT_THAT(silent.summary().faults, IsEmpty());
+  EXPECT_THAT(silent.summary().findings, IsEmpty());
 }
 
 TEST(LogInspection, ALogWithoutOdometryHasNoSteps) {
@@ -85,7 +85,7 @@ TEST(LogInspection, ALogWithoutOdometryHasNoSteps) {
   EXPECT_EQ(inspector.summary().scans_with_odometry, 0);
   EXPECT_THAT(inspector.summary().steps, IsEmpty());
   EXPECT_THAT(inspector.summary().odom_T_robot, IsEmpty());
-  EXPECT_EQ(inspector.summary().faults.at("missing").count, 3);
+  EXPECT_EQ(inspector.summary().findings.at("odometry_missing").count, 3);
 }
 
 TEST(LogInspection, SamplesAreFewAndSpreadOverTheWholeLog) {

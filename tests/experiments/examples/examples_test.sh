@@ -8,15 +8,18 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 
 "$bin/simulate" --world="$worlds/paper_building.yaml" \
-  --path="$worlds/paper_building.short.path.yaml" --output_dir=. --seed=1
+  --path="$worlds/paper_building.short.path.yaml" --output_dir=. --seed=1 \
+  --bump_probability=0.3 --bump_deg=20  # there is something to warn of
 "$bin/gmapping_spa" --log=log.clf --output_dir=expected
 
-"$examples/map_a_log" log.clf mapped | tee pose.txt
+"$examples/map_a_log" log.clf mapped 2> warnings.txt | tee pose.txt
+grep -q 'contradicts the odometry' warnings.txt
 grep -q '^The robot is at .* rad\.$' pose.txt
 cmp mapped.pgm expected/map.pgm
 diff <(grep -v '^image:' mapped.yaml) <(grep -v '^image:' expected/map.yaml)
 
-"$examples/swap_back_end" log.clf | tee swapped.txt
+"$examples/swap_back_end" log.clf 2>> warnings.txt | tee swapped.txt
+if grep InitGoogleLogging warnings.txt; then exit 1; fi
 grep -q 'the cost went from' swapped.txt
 nodes=$(grep -c '^VERTEX_SE2' expected/graph.g2o)
 grep -q "^$nodes nodes in the end$" swapped.txt

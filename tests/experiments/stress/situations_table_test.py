@@ -37,8 +37,7 @@ GOOD = {("exact", "scans"): [(0.01, 0.5), (0.012, 0.5), (0.02, 1.0)],
 
 
 def flag(name):
-    return (f"<flag><file>experiments/apps/x.cc</file><name>{name}</name>"
-            "<type>string</type></flag></AllFlags>")
+    return f"<flag><name>{name}</name><type>string</type></flag></group>"
 
 
 class SituationResults(report_fixture.Results):
@@ -46,7 +45,7 @@ class SituationResults(report_fixture.Results):
         self.errors = errors
         words = report_fixture.HELP
         for name in ("wheels", "odometry"):
-            words = words.replace("</AllFlags>", flag(name))
+            words = words.replace("</group>", flag(name))
         with mock.patch.object(report_fixture, "HELP", words):
             super().__init__(folder, STUDY)
 

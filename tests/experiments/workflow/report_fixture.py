@@ -36,11 +36,11 @@ figures:
 quick: {seeds: 1-2}
 """
 
-HELP = """<?xml version="1.0"?><AllFlags>
-<flag><file>experiments/apps/x.cc</file><name>particles</name><type>int32</type></flag>
-<flag><file>experiments/apps/x.cc</file><name>scan_rate</name><type>double</type></flag>
-<flag><file>experiments/apps/x.cc</file><name>backend</name><type>string</type></flag>
-</AllFlags>"""
+HELP = """<?xml version="1.0"?><AllFlags><group>
+<flag><name>particles</name><type>int32</type></flag>
+<flag><name>scan_rate</name><type>double</type></flag>
+<flag><name>backend</name><type>string</type></flag>
+</group></AllFlags>"""
 
 
 class Results:

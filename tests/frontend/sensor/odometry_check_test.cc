@@ -167,5 +167,14 @@ TEST(OdometryFaultName, EachHasItsOwn) {
   EXPECT_FALSE(names.contains("unknown"));
 }
 
+TEST(OdometryFaultMessage, IsEmptyWhereThereIsNothingToReport) {
+  for (int k = 0; k <= static_cast<int>(OdometryFault::kMissing); ++k) {
+    const auto fault = static_cast<OdometryFault>(k);
+    const bool nothing = fault == OdometryFault::kNone || fault == OdometryFault::kFirst ||
+                         fault == OdometryFault::kUnchanged;
+    EXPECT_EQ(std::string(OdometryFaultMessage(fault)).empty(), nothing) << k;
+  }
+}
+
 }  // namespace
 }  // namespace gmapping_spa::sensor

@@ -9,8 +9,16 @@
 namespace gmapping_spa::backend {
 namespace {
 
+TEST(DenseGaussNewton, IsFoundByItsNameAndByItsPath) {
+  const std::vector<BackendDescription> found = ListBackends({EXAMPLE_FOLDER});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].name, "dense_gauss_newton");
+  EXPECT_TRUE(found[0].loadable);
+  EXPECT_NE(LoadOptimizer(found[0].path), nullptr);
+}
+
 TEST(DenseGaussNewton, ReachesTheMinimumThatSpaReaches) {
-  const std::unique_ptr<Optimizer> example = LoadOptimizer(EXAMPLE_LIBRARY);
+  const std::unique_ptr<Optimizer> example = LoadOptimizer("dense_gauss_newton", {EXAMPLE_FOLDER});
   const std::unique_ptr<Optimizer> spa = LoadOptimizer("spa");
   for (unsigned seed = 0; seed < 10; ++seed) {
     PoseGraph graph = RandomGraph(seed), same = graph;
