@@ -41,7 +41,7 @@ class GraphThreadEnd : public testing::Test {
   // With a back end that hangs until the gate is opened.
   std::unique_ptr<GraphThread> MakeThread(double patience_s) {
     return std::make_unique<GraphThread>(
-        GraphThread::Options{.patience_s = patience_s},
+        GraphThread::Options{.patience_s = patience_s}, &health_,
         [gate = gate_, farewell = std::move(farewell_)](PoseGraph*) {
           gate->entered.count_down();
           gate->opened.wait();
@@ -49,6 +49,7 @@ class GraphThreadEnd : public testing::Test {
         });
   }
 
+  Health health_;
   const std::shared_ptr<Gate> gate_ = std::make_shared<Gate>();
   std::shared_ptr<Farewell> farewell_ = std::make_shared<Farewell>();
   const std::future<void> ended_ = farewell_->said.get_future();
