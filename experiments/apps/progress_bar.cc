@@ -11,8 +11,6 @@
 namespace gmapping_spa::apps {
 namespace {
 
-constexpr std::chrono::milliseconds kInterval(200);
-
 // 75 s is "1:15", 3600 s is "1:00:00".
 std::string FormatDuration(double duration_s) {
   const auto seconds = static_cast<std::int64_t>(std::llround(duration_s));
@@ -26,11 +24,14 @@ std::string FormatDuration(double duration_s) {
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::string label, std::int64_t total)
-    : label_(std::move(label)), total_(total), enabled_(isatty(STDERR_FILENO) == 1) {}
+ProgressBar::ProgressBar(std::string label, std::int64_t total, std::chrono::milliseconds interval)
+    : label_(std::move(label)),
+      total_(total),
+      enabled_(isatty(STDERR_FILENO) == 1),
+      interval_(interval) {}
 
 ProgressBar::~ProgressBar() {
-  if (shown_length_ == 0) return;
+  if (!enabled_ || done_ == 0) return;
   Show(Clock::now());
   std::cerr << '\n';
 }
@@ -39,7 +40,7 @@ void ProgressBar::Update(std::int64_t done) {
   done_ = done;
   if (!enabled_) return;
   const Clock::time_point now = Clock::now();
-  if (now - last_shown_ >= kInterval) Show(now);
+  if (now - last_shown_ >= interval_) Show(now);
 }
 
 void ProgressBar::Show(Clock::time_point now) {

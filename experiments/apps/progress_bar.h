@@ -14,7 +14,9 @@ namespace gmapping_spa::apps {
 class ProgressBar {
  public:
   // `total` is the number of items of the work, 0 when it is not known.
-  ProgressBar(std::string label, std::int64_t total);
+  // Shows progress when `interval` has passed since it did so last.
+  ProgressBar(std::string label, std::int64_t total,
+              std::chrono::milliseconds interval = std::chrono::milliseconds(200));
   // Leaves the last state on a line of its own.
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
@@ -31,6 +33,7 @@ class ProgressBar {
   std::int64_t total_;
   std::int64_t done_ = 0;
   bool enabled_;
+  std::chrono::milliseconds interval_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_shown_ = start_;
   std::size_t shown_length_ = 0;
