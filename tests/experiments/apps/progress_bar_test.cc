@@ -57,11 +57,14 @@ std::string ShownOnATerminal(std::chrono::milliseconds interval) {
   int master = -1, slave = -1;
   EXPECT_EQ(openpty(&master, &slave, nullptr, nullptr, nullptr), 0);
   UseBar(slave, interval);
-  std::array<char, 4096> buffer;
-  const ssize_t length = read(master, buffer.data(), buffer.size());
-  close(master);
   close(slave);
-  return length > 0 ? std::string(buffer.data(), length) : "";
+  std::string shown;
+  std::array<char, 4096> buffer;
+  for (ssize_t length = 0; (length = read(master, buffer.data(), buffer.size())) > 0;) {
+    shown.append(buffer.data(), length);
+  }
+  close(master);
+  return shown;
 }
 
 TEST(ProgressBar, RewritesOneLineOnATerminal) {
