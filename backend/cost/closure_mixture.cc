@@ -1,7 +1,7 @@
 #include "backend/cost/closure_mixture.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,20 +20,41 @@ constexpr double kPriorInliers = 10.0;
 // Neither kind is ever ruled out.
 constexpr double kLeastRatio = 1e-3;
 
-// log of the volume that a wrong measurement may come from: the area of the map, any heading.
-double LogOutlierVolume(const std::vector<SE2>& poses) {
+// Of the area of the map, where wrong measurements may lie.
+double LogArea(const std::vector<SE2>& poses) {
   Eigen::AlignedBox2d area;
   for (const SE2& pose : poses) area.extend(pose.translation());
   // A metre around it, so that a map of one pose has an area too.
   const Eigen::Array2d sides = area.sizes().array() + 2.0;
-  return std::log(sides.prod() * 2.0 * std::numbers::pi);
+  return std::log(sides.prod());
 }
 
-// Of one loop closure, for a variance factor of 1: log density of the error zero as an inlier, over
-// that as an outlier.
-double LogDensityRatio(const Edge& edge, double log_volume) {
-  return log_volume - 1.5 * std::log(2.0 * std::numbers::pi) +
-         0.5 * std::log(edge.information.determinant());
+// What a loop closure measures: all of the pose, or some directions of it.
+struct Measured {
+  double dimensions = 0.0;
+  double log_volume = 0.0;  // that wrong measurements are spread over
+  // For a variance factor of 1: log density of the error zero as an inlier, over that as an
+  // outlier.
+  double log_density_ratio = 0.0;
+};
+
+Measured MeasuredBy(const Edge& edge, double log_area) {
+  constexpr double kRounding = 1e-12;
+  const double log_turn = std::log(2.0 * std::numbers::pi);
+  const Eigen::Vector3d values =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(edge.information, Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  Measured measured;
+  for (const double value : values) {
+    if (value <= kRounding * values[2]) continue;
+    measured.dimensions += 1.0;
+    measured.log_volume += 0.5 * log_area;
+    measured.log_density_ratio += 0.5 * (std::log(value) - log_turn);
+  }
+  // One direction is the heading, which may be any angle.
+  if (edge.information(2, 2) > 0.0) measured.log_volume += log_turn - 0.5 * log_area;
+  measured.log_density_ratio += measured.log_volume;
+  return measured;
 }
 
 }  // namespace
@@ -41,39 +62,41 @@ double LogDensityRatio(const Edge& edge, double log_volume) {
 ClosureMixture FitClosureMixture(const PoseGraphView& graph, const GraphIndex& index,
                                  const std::vector<SE2>& poses) {
   const std::vector<double> squared = SquaredErrors(graph, index, poses);
-  const double log_volume = LogOutlierVolume(poses);
+  const double log_area = LogArea(poses);
   ClosureMixture mixture;
   mixture.inlier_probability.assign(squared.size(), 1.0);
   mixture.outlier_cost.assign(squared.size(), std::numeric_limits<double>::infinity());
   std::vector<std::size_t> closures;
-  std::vector<double> log_ratio;
+  std::vector<Measured> measured;
   for (std::size_t k = 0; k < squared.size(); ++k) {
     if (graph.edges[k].kind != EdgeKind::kLoopClosure) {
       mixture.negative_log_likelihood += 0.5 * squared[k];
       continue;
     }
     closures.push_back(k);
-    log_ratio.push_back(LogDensityRatio(graph.edges[k], log_volume));
+    measured.push_back(MeasuredBy(graph.edges[k], log_area));
   }
   if (closures.empty()) return mixture;
 
   mixture.inlier_ratio = 0.5;
   // The cost at which a loop closure is as likely an outlier as an inlier.
   const auto outlier_cost = [&](std::size_t c) {
-    return log_ratio[c] - 1.5 * std::log(mixture.variance_factor) +
+    return measured[c].log_density_ratio -
+           0.5 * measured[c].dimensions * std::log(mixture.variance_factor) +
            std::log(mixture.inlier_ratio / (1.0 - mixture.inlier_ratio));
   };
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
-    double inliers = 0.0, sum = 0.0;
+    double inliers = 0.0, dimensions = 0.0, sum = 0.0;
     for (std::size_t c = 0; c < closures.size(); ++c) {
       const double cost = 0.5 * squared[closures[c]] / mixture.variance_factor;
       const double probability = 1.0 / (1.0 + std::exp(cost - outlier_cost(c)));
       mixture.inlier_probability[closures[c]] = probability;
       inliers += probability;
+      dimensions += probability * measured[c].dimensions;
       if (probability > 0.0) sum += probability * squared[closures[c]];
     }
     const double factor =
-        std::max(1.0, (sum + 3.0 * kPriorInliers) / (3.0 * (inliers + kPriorInliers)));
+        std::max(1.0, (sum + 3.0 * kPriorInliers) / (dimensions + 3.0 * kPriorInliers));
     const double ratio =
         std::clamp(inliers / static_cast<double>(closures.size()), kLeastRatio, 1.0 - kLeastRatio);
     const bool finished =
@@ -91,7 +114,8 @@ ClosureMixture FitClosureMixture(const PoseGraphView& graph, const GraphIndex& i
     const double inlier = cost - outlier_cost(c) + outlier;
     const double smaller = std::min(inlier, outlier);
     mixture.negative_log_likelihood +=
-        smaller - std::log(std::exp(smaller - inlier) + std::exp(smaller - outlier)) + log_volume;
+        smaller - std::log(std::exp(smaller - inlier) + std::exp(smaller - outlier)) +
+        measured[c].log_volume;
   }
   return mixture;
 }

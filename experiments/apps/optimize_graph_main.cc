@@ -1,5 +1,6 @@
 // Optimizes a pose graph with any back end and prints the summary as JSON.
 #include <gflags/gflags.h>
+#include <glog/logging.h>
 
 #include <algorithm>
 #include <ctime>
@@ -22,6 +23,9 @@
 DEFINE_string(input, "", "File of the pose graph, .g2o or TORO's .graph, plain or gzipped.");
 DEFINE_string(output, "", "File that gets the optimized graph as .g2o. Empty: none.");
 DEFINE_string(png, "", "PNG file that gets a picture of the graph before and after. Empty: none.");
+DEFINE_bool(strict, false,
+            "Refuse an input with records that would be left out or taken for something else, such "
+            "as edges from a vertex to itself. Without it, they are counted and said.");
 DEFINE_bool(verbose, false, "Print a table of the iterations of the optimization to stderr.");
 DEFINE_bool(list_backends, false, "List the back ends that --backend finds, and exit.");
 
@@ -57,7 +61,8 @@ void PrintTable(const Summary& summary) {
   }
 }
 
-Json ToJson(const PoseGraph& graph, const Summary& summary, double cpu_s) {
+Json ToJson(const PoseGraph& graph, const backend::G2oRemarks& remarks, const Summary& summary,
+            double cpu_s) {
   Json iterations = Json::array();
   for (const backend::IterationRecord& record : summary.iterations) {
     iterations.push_back({{"cost", record.cost},
@@ -77,6 +82,7 @@ Json ToJson(const PoseGraph& graph, const Summary& summary, double cpu_s) {
   return {{"input", FLAGS_input},
           {"nodes", graph.nodes.size()},
           {"edges", graph.edges.size()},
+          {"input_remarks", remarks},
           {"backend", BackendFromFlags()},
           {"init", backend::InitializationName(options.initialization)},
           {"loss", backend::LossKindName(options.loss.kind)},
@@ -126,7 +132,12 @@ void Run() {
   if (!FLAGS_output.empty()) output.emplace(FLAGS_output);
   if (!FLAGS_png.empty()) png.emplace(FLAGS_png);
   const std::unique_ptr<backend::Optimizer> optimizer = LoadOptimizerFromFlags();
-  PoseGraph graph = backend::ReadG2o(*OpenInput(FLAGS_input), FLAGS_input);
+  backend::G2oRemarks remarks;
+  PoseGraph graph =
+      backend::ReadG2o(*OpenInput(FLAGS_input), FLAGS_input, {.strict = FLAGS_strict}, &remarks);
+  for (const auto& [remark, count] : remarks) {
+    LOG(WARNING) << FLAGS_input << ": " << remark << " (" << count << ")";
+  }
   std::optional<PoseGraph> before;
   if (png) before = graph;
 
@@ -144,7 +155,7 @@ void Run() {
   if (png) WriteGraphPicture(*before, graph, png->files().TemporaryPath(png->name()));
   if (output) output->files().Commit();
   if (png) png->files().Commit();
-  std::cout << ToJson(graph, summary, cpu_s).dump(2) << '\n';
+  std::cout << ToJson(graph, remarks, summary, cpu_s).dump(2) << '\n';
 }
 
 FlagGroups AllFlagGroups() {

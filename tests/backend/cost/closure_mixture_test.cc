@@ -70,6 +70,19 @@ TEST(FitClosureMixture, TakesNoSingleWrongClosureForALargeVariance) {
   }
 }
 
+TEST(FitClosureMixture, JudgesClosuresThatMeasureThePositionAlone) {
+  Sample sample = MakeSample(1, 300, 200, 0.1);
+  for (Edge& edge : sample.graph.edges) edge.information(2, 2) = 0.0;
+  const ClosureMixture mixture = Fit(sample.graph);
+  EXPECT_NEAR(mixture.inlier_ratio, 0.6, 0.02);
+  EXPECT_LT(mixture.variance_factor, 1.2);
+  int mistaken = 0;
+  for (std::size_t k = 0; k < sample.graph.edges.size(); ++k) {
+    mistaken += (mixture.inlier_probability[k] > 0.5) != (static_cast<int>(k) < sample.right);
+  }
+  EXPECT_LT(mistaken, 5);  // some wrong ones are near the truth by chance
+}
+
 TEST(FitClosureMixture, NeverTakesTheVarianceForSmaller) {
   EXPECT_EQ(Fit(MakeSample(1, 300, 0, 0.05).graph).variance_factor, 1.0);
 }
