@@ -265,15 +265,18 @@ SlamResult ImprovedGmapping::CurrentResult() const {
   return {recorder.graph(), CurrentTrajectory(), CurrentMap()};
 }
 
+SlamResult ImprovedGmapping::FinishEarly() {
+  if (const auto optimized = graph_thread_.Finish()) ApplyOptimizedGraph(*optimized);
+  ReportPieces(is_drawn_);
+  ReportRejectedClosures();
+  return CurrentResult();
+}
+
 SlamResult ImprovedGmapping::Finish() {
+  if (!options_.make_final_optimization) return FinishEarly();
   if (const auto optimized = graph_thread_.Finish()) ApplyOptimizedGraph(*optimized);
   const int nodes = static_cast<int>(node_scans_.size());
   const loop_closure::Pieces& pieces = loop_closer_.pieces();
-  if (!options_.make_final_optimization) {
-    ReportPieces(is_drawn_);
-    ReportRejectedClosures();
-    return CurrentResult();
-  }
   FinalOptimization final_optimization(
       options_.final_optimization,
       {.scans = &archive_,

@@ -87,6 +87,8 @@ class ImprovedGmapping {
   // After the last scan: waits for the back end and makes the final optimization. Needs at least
   // one scan.
   SlamResult Finish();
+  // The same without the final optimization.
+  SlamResult FinishEarly();
 
   const Counts& counts() const { return counts_; }
   const particle_filter::ParticleFilter& filter() const { return filter_; }

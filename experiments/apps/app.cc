@@ -36,10 +36,10 @@ FlagGroups& Groups() {
   return groups;
 }
 
-std::atomic<bool> interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not take a lock");
+std::atomic<int> received_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler must not take a lock");
 
-void OnSignal(int /*signal*/) { interrupted = true; }
+void OnSignal(int signal) { received_signal = signal; }
 
 void InstallSignalHandlers() {
   struct sigaction action = {};
@@ -110,9 +110,9 @@ int RunApp(int argc, char** argv, const char* usage, const FlagGroups& flag_grou
     run();
     // What was printed is complete only when it has reached the device.
     if (!std::cout.flush()) throw std::runtime_error("cannot write to the standard output");
-  } catch (const Interrupted&) {
-    std::cerr << program << ": interrupted\n";
-    status = 130;
+  } catch (const Interrupted& interrupted) {
+    std::cerr << program << ": " << interrupted.what() << '\n';
+    status = 128 + ReceivedSignal();
   } catch (const std::bad_alloc&) {
     std::cerr << program << ": error: out of memory\n";
     status = 1;
@@ -130,8 +130,10 @@ const std::vector<std::string>& FlagFiles() { return Parsed().flag_files; }
 
 const std::vector<std::string>& FlagOverrides() { return Parsed().overrides; }
 
+int ReceivedSignal() { return received_signal; }
+
 void ThrowIfInterrupted() {
-  if (interrupted) throw Interrupted("interrupted by a signal");
+  if (ReceivedSignal() != 0) throw Interrupted("interrupted");
 }
 
 }  // namespace gmapping_spa::apps

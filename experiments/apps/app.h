@@ -11,7 +11,7 @@
 
 namespace gmapping_spa::apps {
 
-// Thrown by ThrowIfInterrupted after SIGINT or SIGTERM.
+// Thrown after SIGINT or SIGTERM; the message is for the user.
 struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -21,7 +21,8 @@ struct Interrupted : std::runtime_error {
 // command line overrides, installs handlers for SIGINT and SIGTERM and calls `run`. Returns the
 // exit status of the process: 0 when `run` returned and what it printed has been written, and after
 // --help; 1 with one line on stderr when it threw, when words are left over on the command line and
-// when a flag or a line of a --flagfile is not known; 130 when it was interrupted.
+// when a flag or a line of a --flagfile is not known; 128 + n when it threw Interrupted after
+// signal n.
 int RunApp(int argc, char** argv, const char* usage, const FlagGroups& flag_groups,
            const std::function<void()>& run);
 
@@ -34,7 +35,11 @@ const std::vector<std::string>& FlagFiles();
 // What RunApp said about flags that the command line overrides, a line each.
 const std::vector<std::string>& FlagOverrides();
 
-// Call it once per item of long work.
+// SIGINT or SIGTERM when the process has received it, else 0. A second one ends the process at
+// once.
+int ReceivedSignal();
+
+// Call it once per item of long work that leaves nothing behind when it is interrupted.
 void ThrowIfInterrupted();
 
 }  // namespace gmapping_spa::apps

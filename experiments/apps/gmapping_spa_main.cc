@@ -37,6 +37,7 @@ sensor::LogCounts ProcessLog(const sensor::LogOptions& options, SlamRun* slam) {
   const std::unique_ptr<sensor::LogReader> reader =
       sensor::OpenCarmenLog(OpenInput(FLAGS_log), FLAGS_log, options);
   while (const std::optional<sensor::LaserScan> scan = reader->Next()) {
+    if (ReceivedSignal() != 0) break;
     slam->AddScan(*scan);
     progress.Update(reader->counts().at("lines"));
   }
@@ -70,10 +71,17 @@ void Run() {
   SlamRun slam;
   OutputFiles files(FLAGS_output_dir);
   const sensor::LogCounts log_counts = ProcessLog(log_options, &slam);
+  if (slam.counts().updates == 0) ThrowIfInterrupted();  // nothing to write yet
   CheckThatBeamsHit(log_counts, log_options);
-  slam.Finish([&] { return DescribeLog(log_counts); }, log_counts, &files);
+  const bool complete = slam.Finish([&] { return DescribeLog(log_counts); }, log_counts, &files);
   files.Commit();
   const frontend::ImprovedGmapping::Counts& counts = slam.counts();
+  if (ReceivedSignal() != 0) {
+    throw Interrupted("interrupted: the results in " + FLAGS_output_dir + " are " +
+                      (complete ? std::string("complete")
+                                : "those of the first " + std::to_string(counts.scans) +
+                                      " scans, without the final optimization"));
+  }
   std::cout << counts.scans << " scans, " << counts.updates << " updates, " << counts.resamplings
             << " resamplings; results in " << FLAGS_output_dir << '\n';
 }

@@ -34,7 +34,10 @@ void Run() {
   const SimulationSetup setup = SimulationFromFlags(FLAGS_seed);
   SlamRun slam;
   OutputFiles files(FLAGS_output_dir);
-  simulation::ScanPlayer player([&](const sensor::LaserScan& scan) { slam.AddScan(scan); });
+  simulation::ScanPlayer player([&](const sensor::LaserScan& scan) {
+    ThrowIfInterrupted();
+    slam.AddScan(scan);
+  });
   const simulation::SimulationSummary summary =
       simulation::Simulate(setup.scene, setup.way_points, setup.options, &player);
   WriteTruth(setup, summary, &files);

@@ -24,15 +24,13 @@ SlamRun::SlamRun(const SlamOptions& options)
       gmapping_(frontend::GmappingOptions(options), frontend::MakeScanMatcher(options),
                 frontend::BindOptimizer(options, LoadOptimizerFromFlags())) {}
 
-void SlamRun::AddScan(const sensor::LaserScan& scan) {
-  ThrowIfInterrupted();
-  gmapping_.AddScan(scan);
-}
+void SlamRun::AddScan(const sensor::LaserScan& scan) { gmapping_.AddScan(scan); }
 
-void SlamRun::Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
+bool SlamRun::Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
                      OutputFiles* files) {
   stopwatch_.Lap("processing_s");
-  const frontend::SlamResult estimate = gmapping_.Finish();
+  const int signal = ReceivedSignal();
+  const frontend::SlamResult estimate = signal == 0 ? gmapping_.Finish() : gmapping_.FinishEarly();
   stopwatch_.Lap("finish_s");
   const backend::Trajectory& trajectory = estimate.trajectory;
   const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, occupied_threshold_);
@@ -51,11 +49,12 @@ void SlamRun::Finish(const std::function<Json()>& input, const sensor::LogCounts
   WriteMapPicture(map, by_time, files->TemporaryPath("map.png"), gmapping_.health().stretches());
   stopwatch_.Lap("writing_s");
   const Json health = HealthRecord(gmapping_.health(), log_counts);
-  const Json record = MakeRunRecord(input(), gmapping_, map, health, stopwatch_);
+  Json record = MakeRunRecord(input(), gmapping_, map, health, stopwatch_);
+  if (signal != 0) record["interrupted"] = {{"signal", signal}, {"scans", counts().scans}};
   files->Write("run.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
-  ThrowIfInterrupted();
   WarnOf(log_counts);
   gmapping_.health().LogSummary();
+  return signal == 0;
 }
 
 }  // namespace gmapping_spa::apps

@@ -192,7 +192,7 @@ TEST(RunApp, SignalsInterruptAtTheNextItem) {
                        std::raise(signal);
                        ThrowIfInterrupted();
                      }),
-                ExitedWithCode(130), "^tool: interrupted\n$");
+                ExitedWithCode(128 + signal), "^tool: interrupted\n$");
   }
 }
 

@@ -8,10 +8,12 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "backend/graph/trajectory_io.h"
 #include "tests/experiments/apps/gmapping_spa_tour.h"
 
 namespace gmapping_spa::apps {
@@ -41,13 +43,19 @@ int StatusAfterSignal(std::vector<std::string> command, const std::string& outpu
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-TEST_F(GmappingSpaTour, InterruptedRunLeavesNothingBehind) {
+TEST_F(GmappingSpaTour, InterruptedRunWritesWhatItHasAndSaysSo) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    const std::string output_dir = folder_.Path("out");
-    EXPECT_EQ(StatusAfterSignal(Command(output_dir, {"--particles=1000", "--linear_update_m=0.05"}),
+    const std::string output_dir = folder_.Path("out" + std::to_string(signal));
+    EXPECT_EQ(StatusAfterSignal(Command(output_dir, {"--particles=100", "--linear_update_m=0.05"}),
                                 output_dir, signal),
-              130);
-    EXPECT_FALSE(std::filesystem::exists(output_dir));
+              128 + signal);
+    EXPECT_THAT(FilesIn(output_dir), SizeIs(kByteIdentical.size() + 1));
+    const Json record = ReadRunRecord(output_dir);
+    EXPECT_EQ(record["interrupted"]["signal"], signal);
+    EXPECT_EQ(record["interrupted"]["scans"], record["counts"]["scans"]);
+    std::ifstream trajectory(output_dir + "/trajectory.tum");
+    const backend::Trajectory poses = backend::ReadTum(trajectory, "trajectory.tum");
+    EXPECT_EQ(record["counts"]["scans"], poses.size());
   }
 }
 
