@@ -53,7 +53,7 @@ void CheckThatBeamsHit(const sensor::LogCounts& counts, const sensor::LogOptions
   throw std::runtime_error(message.str());
 }
 
-Json DescribeLog(const sensor::LogCounts& counts) {
+Json LogToJson(const sensor::LogCounts& counts) {
   const FileIdentity identity = IdentifyFile(FLAGS_log);
   return {{"sha256", identity.sha256}, {"bytes", identity.bytes}, {"records", counts}};
 }
@@ -71,7 +71,7 @@ void Run() {
   OutputFiles files(FLAGS_output_dir);
   const sensor::LogCounts log_counts = ProcessLog(log_options, &slam);
   CheckThatBeamsHit(log_counts, log_options);
-  slam.Finish([&] { return DescribeLog(log_counts); }, log_counts, &files);
+  slam.Finish([&] { return LogToJson(log_counts); }, log_counts, &files);
   files.Commit();
   const frontend::ImprovedGmapping::Counts& counts = slam.counts();
   std::cout << counts.scans << " scans, " << counts.updates << " updates, " << counts.resamplings
