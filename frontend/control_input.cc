@@ -15,8 +15,8 @@ ControlInput::ControlInput(const Options& options, Health* health)
       check_(options.check),
       lidar_odometry_(options.lidar_odometry) {}
 
-ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
-  OdometryCheck::Step wheels = check_.Advance(scan);
+ScanMotion ControlInput::AddScan(const sensor::LaserScan& scan) {
+  OdometryCheck::Step wheels = check_.Check(scan);
   if (options_.source == OdometrySource::kLidarOnly) {
     if (wheels.fault != OdometryFault::kFirst) wheels = {{}, OdometryFault::kMissing};
   } else {
@@ -30,7 +30,7 @@ ScanMotion ControlInput::Advance(const sensor::LaserScan& scan) {
     }
     return AsLogged(scan);
   }
-  ScanMotion motion = lidar_odometry_.Advance(scan, wheels);
+  ScanMotion motion = lidar_odometry_.MatchScan(scan, wheels);
   ReportSweep(scan.stamp_s);
   if (options_.source == OdometrySource::kWheel) {
     if (motion.wheels_rejected || motion.wheels_silent) {

@@ -35,7 +35,7 @@ class ControlInput {
   ControlInput(const Options& options, Health* health);
 
   // The motion since the scan before. Of the first scan: none.
-  ScanMotion Advance(const sensor::LaserScan& scan);
+  ScanMotion AddScan(const sensor::LaserScan& scan);
 
   // Time from the first beam of a scan to the last one, s, by which scans are to be deskewed; 0
   // where they seem to be measured at once.

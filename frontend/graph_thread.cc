@@ -66,7 +66,7 @@ void GraphThread::Start(backend::PoseGraph snapshot) {
   late_ = false;
 }
 
-std::optional<backend::PoseGraph> GraphThread::Advance(double stamp_s) {
+std::optional<backend::PoseGraph> GraphThread::TakeIfDue(double stamp_s) {
   stamp_s_ = stamp_s;
   if (!busy()) return std::nullopt;
   ++scans_since_start_;

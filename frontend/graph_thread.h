@@ -65,7 +65,7 @@ class GraphThread {
   void Start(backend::PoseGraph snapshot);
 
   // Call it once a scan, with its stamp: the optimized snapshot when it is due and a success.
-  std::optional<backend::PoseGraph> Advance(double stamp_s);
+  std::optional<backend::PoseGraph> TakeIfDue(double stamp_s);
 
   // What runs, now: nothing else is left to do, so that ten times the timeout is waited for.
   std::optional<backend::PoseGraph> Finish();

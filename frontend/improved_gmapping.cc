@@ -36,7 +36,7 @@ ScanResult ImprovedGmapping::AddScan(const sensor::LaserScan& measured) {
 
 void ImprovedGmapping::Process(const sensor::LaserScan& measured, ScanResult* result) {
   // Step 1: the control input.
-  const ScanMotion motion = control_.Advance(measured);
+  const ScanMotion motion = control_.AddScan(measured);
   const SE2& u = motion.motion;
   // What one scan does not decide becomes a step of its own, for particles to take apart.
   const bool ambiguous = !motion.alternatives.empty();
@@ -59,7 +59,7 @@ void ImprovedGmapping::Process(const sensor::LaserScan& measured, ScanResult* re
   ++counts_.scans;
 
   // Steps 4' and 6: what the graph thread has found out corrects the particles.
-  if (const auto optimized = graph_thread_.Advance(scan.stamp_s)) ApplyOptimizedGraph(*optimized);
+  if (const auto optimized = graph_thread_.TakeIfDue(scan.stamp_s)) ApplyOptimizedGraph(*optimized);
 
   const bool is_update = (UpdateIsDue(u, UpdateDensity(scan)) || ambiguous) && motion.matched;
   // In units of what triggers an update; the 1e-9 spreads by number of scans if nothing moved.
@@ -141,7 +141,7 @@ void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan,
     for (const particle_filter::Particle& particle : filter_.particles()) {
       area_.Extend(scan, particle.world_T_robot * controls.front().motion);
     }
-    const ParticleFilter::Update update = filter_.Advance(scan, controls);
+    const ParticleFilter::UpdateResult update = filter_.Update(scan, controls);
     counts_.resamplings += update.resampled ? 1 : 0;
     counts_.failed_matches += update.failed_matches;
   }

@@ -81,8 +81,8 @@ LidarOdometry::LidarOdometry(const Options& options)
           options.map_scans),
       sweep_(options.grid, options.gauss_newton, options.sweep_duration_s) {}
 
-ScanMotion LidarOdometry::Advance(const sensor::LaserScan& scan,
-                                  const sensor::OdometryCheck::Step& wheels) {
+ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
+                                    const sensor::OdometryCheck::Step& wheels) {
   ++new_piece_scans_;
   if (map_.empty()) {
     map_.Insert(scan, odom_T_robot_);
@@ -98,7 +98,7 @@ ScanMotion LidarOdometry::Advance(const sensor::LaserScan& scan,
     odom_T_robot_ = before * wheels.motion;
     result.motion = wheels.motion;
     result.matched = false;
-    if (new_piece_) new_piece_->Advance(scan, wheels);
+    if (new_piece_) new_piece_->MatchScan(scan, wheels);
     return result;
   }
 

@@ -79,7 +79,7 @@ class LidarOdometry {
   explicit LidarOdometry(const Options& options);
 
   // The motion since the scan before, given what the wheels say about it. Of the first scan: none.
-  ScanMotion Advance(const sensor::LaserScan& scan, const sensor::OdometryCheck::Step& wheels);
+  ScanMotion MatchScan(const sensor::LaserScan& scan, const sensor::OdometryCheck::Step& wheels);
 
   // Time from the first beam of a scan to the last one, s, by which scans are to be deskewed; 0
   // where they seem to be measured at once.

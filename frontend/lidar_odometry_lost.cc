@@ -49,7 +49,7 @@ ScanMotion LidarOdometry::GoOnLost(const Match& best, const sensor::LaserScan& s
   ScanMotion result;
   result.matched = false;
   if (guess) result.motion = guess->motion;
-  const ScanMotion found = new_piece_ ? new_piece_->Advance(scan, wheels) : result;
+  const ScanMotion found = new_piece_ ? new_piece_->MatchScan(scan, wheels) : result;
   if (found.matched) {
     // A covered laser fits itself however the robot moves: the wheels go first.
     if (!guess) result.motion = found.motion;
@@ -62,7 +62,7 @@ ScanMotion LidarOdometry::GoOnLost(const Match& best, const sensor::LaserScan& s
     new_piece_->wheel_trust_ = wheel_trust_;
     new_piece_->sweep_ = sweep_;
     new_piece_->sweep_.BeginFrame();
-    new_piece_->Advance(scan, wheels);
+    new_piece_->MatchScan(scan, wheels);
     new_piece_begin_s_ = scan.stamp_s;
     new_piece_scans_ = 1;
     seen_through_ = contradicted_ = 0.0;

@@ -27,7 +27,7 @@ void Set(const FlagSetting& flag) {
                            ", found '" + flag.value + "'");
 }
 
-std::string DescribeOverride(const gflags::CommandLineFlagInfo& flag, const FlagSetting& of_file) {
+std::string OverrideMessage(const gflags::CommandLineFlagInfo& flag, const FlagSetting& of_file) {
   const std::string path = of_file.place.substr(0, of_file.place.rfind(':'));
   return "--" + flag.name + "=" + ShortValue(flag.type, flag.current_value) +
          " (command line) wins over " + of_file.value + " of " +
@@ -94,7 +94,7 @@ ParsedFlags ParseFlags(int* argc, char*** argv) {
   for (const auto& [name, setting] : of_files) {
     const gflags::CommandLineFlagInfo flag = gflags::GetCommandLineFlagInfoOrDie(name.c_str());
     if (flag.current_value == setting.current_value) continue;
-    parsed.overrides.push_back(DescribeOverride(flag, setting.flag));
+    parsed.overrides.push_back(OverrideMessage(flag, setting.flag));
   }
   *argc = static_cast<int>(words.others.size());
   std::copy(words.others.begin(), words.others.end(), *argv);

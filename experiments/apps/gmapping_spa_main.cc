@@ -54,7 +54,7 @@ void CheckThatBeamsHit(const sensor::LogCounts& counts, const sensor::LogOptions
   throw std::runtime_error(message.str());
 }
 
-Json DescribeLog(const sensor::LogCounts& counts) {
+Json LogToJson(const sensor::LogCounts& counts) {
   const FileIdentity identity = IdentifyFile(FLAGS_log);
   return {{"sha256", identity.sha256}, {"bytes", identity.bytes}, {"records", counts}};
 }
@@ -73,7 +73,7 @@ void Run() {
   const sensor::LogCounts log_counts = ProcessLog(log_options, &slam);
   if (slam.counts().updates == 0) ThrowIfInterrupted();  // nothing to write yet
   CheckThatBeamsHit(log_counts, log_options);
-  const bool complete = slam.Finish([&] { return DescribeLog(log_counts); }, log_counts, &files);
+  const bool complete = slam.Finish([&] { return LogToJson(log_counts); }, log_counts, &files);
   files.Commit();
   const frontend::ImprovedGmapping::Counts& counts = slam.counts();
   if (ReceivedSignal() != 0) {

@@ -71,7 +71,7 @@ void LogInspector::AddBeams(const LaserScan& scan) {
 }
 
 void LogInspector::AddOdometry(const LaserScan& scan) {
-  const OdometryFault fault = check_.Advance(scan).fault;
+  const OdometryFault fault = check_.Check(scan).fault;
   if (scan.has_odometry) {
     ++summary_.scans_with_odometry;
     summary_.odom_T_robot.push_back(scan.odom_T_robot);

@@ -16,7 +16,7 @@ COMMON_FLAGS = {"help", "helpfull", "helpxml", "flagfile", "version", "minloglev
 NAMED_FLAG = re.compile(r"`--(?:no)?([a-z][a-z0-9_]*)")
 
 
-def describe(executable: str) -> xml.Element:
+def read_help(executable: str) -> xml.Element:
     done = subprocess.run([executable, "--helpxml"], capture_output=True, text=True)
     start = done.stdout.find("<?xml")
     if start < 0:
@@ -43,7 +43,7 @@ def page_of(executables: list[str]) -> str:
     lines = ["# Flags", "",
              "Made from what the executables say about themselves (`--helpxml`).", ""]
     for executable in sorted(executables, key=lambda path: pathlib.PurePath(path).name):
-        description = describe(executable)
+        description = read_help(executable)
         name = pathlib.PurePath(executable).name
         lines += [f"## {name}", ""]
         lines += [cell(line) + "\n" for line in description.findtext("usage", "").splitlines()]
@@ -71,7 +71,7 @@ def main(words: list[str]) -> None:
     if words[:1] == ["--check"] and "--" in words:
         end = words.index("--")
         known = {flag.findtext("name") for executable in words[end + 1:]
-                 for flag in describe(executable).iter("flag")}
+                 for flag in read_help(executable).iter("flag")}
         if unknown := unknown_flags(words[1:end], known | COMMON_FLAGS):
             sys.exit("\n".join(unknown))
     elif words and not words[0].startswith("-"):

@@ -52,7 +52,7 @@ Eigen::Vector2d Ahead(const Eigen::Vector2d& from, double heading_rad, double di
   return from + distance_m * Eigen::Vector2d(std::cos(heading_rad), std::sin(heading_rad));
 }
 
-std::optional<Walker> Enter(const Obstacles& obstacles, CounterRandom* random) {
+std::optional<Walker> SpawnWalker(const Obstacles& obstacles, CounterRandom* random) {
   for (int i = 0; i < kEntryTries; ++i) {
     const double distance_m =
         kNearestEntryM + (kFarthestEntryM - kNearestEntryM) * random->Uniform();
@@ -137,7 +137,7 @@ std::vector<Walk> WalkAbout(const World& world, const std::vector<MotionStep>& r
         const Eigen::Vector2d point = walker->world_T_walker.translation();
         return obstacles.ClearOfRobot(point) && (point - obstacles.robot).norm() < kLeftBehindM;
       };
-      if (!walker || !stays()) walker = Enter(obstacles, &random);
+      if (!walker || !stays()) walker = SpawnWalker(obstacles, &random);
       poses.push_back(walker ? std::optional(walker->world_T_walker) : std::nullopt);
     }
     walks.emplace_back(std::move(poses), step_s);

@@ -44,7 +44,7 @@ Odometry::Jump Odometry::Bump(double distance_m) {
   return jump;
 }
 
-void Odometry::Advance(const BodyVelocity& true_velocity, double duration_s) {
+void Odometry::Integrate(const BodyVelocity& true_velocity, double duration_s) {
   if (options_.silent) return;
   const double distance_m = std::abs(true_velocity.linear_m_s) * duration_s;
   const double angle_rad = std::abs(true_velocity.angular_rad_s) * duration_s;

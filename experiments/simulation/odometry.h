@@ -52,7 +52,7 @@ class Odometry {
   Odometry(const OdometryOptions& options, std::uint64_t seed);
 
   // Takes in a step of true motion.
-  void Advance(const BodyVelocity& true_velocity, double duration_s);
+  void Integrate(const BodyVelocity& true_velocity, double duration_s);
 
   // What the robot believes: starts at the identity.
   const backend::SE2& odom_T_robot() const { return odom_T_robot_; }

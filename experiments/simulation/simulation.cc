@@ -17,7 +17,7 @@ namespace {
 // A step is half a turn of the laser: what Sweep relies on.
 constexpr std::size_t kStepsPerScan = 2;
 
-std::string Describe(const Eigen::Vector2d& point) {
+std::string ToString(const Eigen::Vector2d& point) {
   return "(" + backend::FixedText(point.x(), 2) + ", " + backend::FixedText(point.y(), 2) + ")";
 }
 
@@ -27,8 +27,8 @@ void CheckFree(const Scene& scene, const backend::SE2& world_T_robot, double rad
       scene.FindContact(world_T_robot.translation(), radius_m, time_s);
   if (!contact) return;
   throw std::runtime_error("tour: expected free space around the robot at " +
-                           Describe(world_T_robot.translation()) + ", found " + contact->what +
-                           " at " + Describe(contact->world_point));
+                           ToString(world_T_robot.translation()) + ", found " + contact->what +
+                           " at " + ToString(contact->world_point));
 }
 
 bool Within(const std::vector<TimeSpan>& spans, double time_s) {
@@ -85,7 +85,7 @@ SimulationSummary Simulate(const Scene& world_scene, const WayPoints& way_points
       sink->OnScan(reading, options.lidar, RangesAt(scene, step, scan, options));
       summary.world_T_robot.push_back({reading.stamp_s, step.world_T_robot});
     }
-    odometry.Advance(step.after, 1.0 / steps_per_s);
+    odometry.Integrate(step.after, 1.0 / steps_per_s);
     summary.path_length_m += std::abs(step.after.linear_m_s) / steps_per_s;
   }
   if (summary.world_T_robot.empty()) {

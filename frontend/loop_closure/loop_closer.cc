@@ -26,22 +26,22 @@ int LoopCloser::Update(const std::vector<SE2>& estimate, const ScanOfNode& scan_
   const auto ahead = std::upper_bound(ways_driven.begin(), ways_driven.end(),
                                       ways_driven.back() - options_.verifier.new_reach_m);
   const int node = static_cast<int>(ahead - ways_driven.begin()) - 1;
-  if (node < 0 || ways_driven[node] < last_attempt_m_ + options_.attempt_every_m) {
+  if (node < 0 || ways_driven[node] < last_search_m_ + options_.search_every_m) {
     return accepted;
   }
-  last_attempt_m_ = ways_driven[node];
-  return accepted + Attempt(world_T_nodes, ways_driven, scan_of_node, node);
+  last_search_m_ = ways_driven[node];
+  return accepted + SearchNear(world_T_nodes, ways_driven, scan_of_node, node);
 }
 
 int LoopCloser::UpdateAll(const std::vector<SE2>& estimate, const ScanOfNode& scan_of_node) {
   const std::vector<double> ways_driven = WaysAcrossPieces(estimate);
   const std::vector<SE2> world_T_nodes = InSight(estimate);
-  double last_attempt_m = -options_.attempt_every_m;
+  double last_search_m = -options_.search_every_m;
   int accepted = 0;
   for (int node = 0; node < static_cast<int>(world_T_nodes.size()); ++node) {
-    if (ways_driven[node] < last_attempt_m + options_.attempt_every_m) continue;
-    last_attempt_m = ways_driven[node];
-    accepted += Attempt(world_T_nodes, ways_driven, scan_of_node, node);
+    if (ways_driven[node] < last_search_m + options_.search_every_m) continue;
+    last_search_m = ways_driven[node];
+    accepted += SearchNear(world_T_nodes, ways_driven, scan_of_node, node);
   }
   if (options_.search_everywhere) {
     accepted +=
@@ -117,9 +117,9 @@ int LoopCloser::Review(const std::vector<SE2>& world_T_nodes) {
   return changed;
 }
 
-int LoopCloser::Attempt(const std::vector<SE2>& world_T_nodes,
-                        const std::vector<double>& ways_driven, const ScanOfNode& scan_of_node,
-                        int node) {
+int LoopCloser::SearchNear(const std::vector<SE2>& world_T_nodes,
+                           const std::vector<double>& ways_driven, const ScanOfNode& scan_of_node,
+                           int node) {
   const std::vector<double> ways = ShortestWays(ways_driven, closures_, node);
   int accepted = 0;
   for (const Candidate& candidate : FindCandidates(options_.candidates, options_.drift,

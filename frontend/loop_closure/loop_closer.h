@@ -18,7 +18,7 @@ namespace gmapping_spa::loop_closure {
 class LoopCloser {
  public:
   struct Options {
-    double attempt_every_m = 2.0;  // of driving
+    double search_every_m = 2.0;  // of driving
     // Two closures confirm each other when the loop through both closes as well as the drift on the
     // way lets expect, within so many standard deviations, and they are no farther apart.
     double confirm_sigmas = 1.0;
@@ -68,8 +68,8 @@ class LoopCloser {
   const std::vector<ClosureRecord>& records() const { return records_; }
 
  private:
-  int Attempt(const std::vector<backend::SE2>& world_T_nodes,
-              const std::vector<double>& ways_driven, const ScanOfNode& scan_of_node, int node);
+  int SearchNear(const std::vector<backend::SE2>& world_T_nodes,
+                 const std::vector<double>& ways_driven, const ScanOfNode& scan_of_node, int node);
   int Confirm(const std::vector<backend::SE2>& world_T_nodes,
               const std::vector<double>& ways_driven, std::size_t newest);
   std::vector<double> WaysAcrossPieces(const std::vector<backend::SE2>& world_T_nodes) const;
@@ -87,7 +87,7 @@ class LoopCloser {
   std::vector<std::size_t> accepted_;  // positions in records_ of closures_
   std::vector<backend::Edge> closures_;
   std::vector<ClosureRecord> records_;
-  double last_attempt_m_ = 0.0;
+  double last_search_m_ = 0.0;
 };
 
 }  // namespace gmapping_spa::loop_closure

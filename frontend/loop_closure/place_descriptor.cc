@@ -26,13 +26,13 @@ Eigen::MatrixXf FourierBasis() {
 
 }  // namespace
 
-PlaceDescriptor DescribePlace(const std::vector<Eigen::Vector2d>& points) {
+PlaceDescriptor ComputeDescriptor(const std::vector<Eigen::Vector2d>& points) {
   Eigen::MatrixXf counts = Eigen::MatrixXf::Zero(kRings, kSectors);
   for (const Eigen::Vector2d& point : points) {
     const double range_m = point.norm();
-    if (range_m >= kDescribedRadius_m) continue;
+    if (range_m >= kDescriptorRadius_m) continue;
     const double turn = std::atan2(point.y(), point.x()) / (2.0 * std::numbers::pi) + 0.5;
-    const int ring = static_cast<int>(range_m / kDescribedRadius_m * kRings);
+    const int ring = static_cast<int>(range_m / kDescriptorRadius_m * kRings);
     counts(ring, static_cast<int>(turn * kSectors) % kSectors) += 1.0f;
   }
   static const Eigen::MatrixXf kBasis = FourierBasis();

@@ -11,12 +11,12 @@ namespace gmapping_spa::loop_closure {
 using PlaceDescriptor = Eigen::VectorXf;
 
 // Points farther away from the place than this describe others.
-inline constexpr double kDescribedRadius_m = 20.0;
+inline constexpr double kDescriptorRadius_m = 20.0;
 
 // Of points around a place, in its frame and in metres. They are counted in rings around it; the
 // spectrum of each ring over the direction does not change when the place is turned. Roots of the
 // counts: a wall that is near has many points and would drown the others.
-PlaceDescriptor DescribePlace(const std::vector<Eigen::Vector2d>& points);
+PlaceDescriptor ComputeDescriptor(const std::vector<Eigen::Vector2d>& points);
 
 // From 0, the same, to 1, nothing in common.
 double Dissimilarity(const PlaceDescriptor& a, const PlaceDescriptor& b);

@@ -42,9 +42,9 @@ void PlaceSearch::Add(const std::vector<SE2>& world_T_nodes, const ScanOfNode& s
   for (const scan_matching::ScanPoint& point :
        JoinScans(world_T_nodes, scan_of_node, nodes, node, options_.cell_m)) {
     const Eigen::Vector2d at(point.x_m, point.y_m);
-    if (at.norm() < kDescribedRadius_m) points.push_back(at);
+    if (at.norm() < kDescriptorRadius_m) points.push_back(at);
   }
-  Place place{node, {}, DescribePlace(points), IsDistinct(points)};
+  Place place{node, {}, ComputeDescriptor(points), IsDistinct(points)};
   if (place.is_distinct) place.points = ToFloat(points);
   places_.push_back(std::move(place));
 }

@@ -16,7 +16,7 @@ namespace {
 }
 
 // What stands at the node, short enough for a message of one line.
-std::string Describe(const YAML::Node& node) {
+std::string NodeToString(const YAML::Node& node) {
   if (node.IsScalar()) {
     std::string text = node.Scalar().substr(0, 40);
     text.resize(std::min(text.size(), text.find('\n')));
@@ -39,7 +39,7 @@ YamlFile::YamlFile(const std::string& path) : path_(path) {
   } catch (const YAML::Exception& error) {
     FailAt(path, error.mark, "expected YAML, found: " + error.msg);
   }
-  if (!root_.IsMap()) Fail(root_, "expected a table of keys, found " + Describe(root_));
+  if (!root_.IsMap()) Fail(root_, "expected a table of keys, found " + NodeToString(root_));
 }
 
 YAML::Node YamlFile::Get(const std::string& key) const {
@@ -55,14 +55,14 @@ void YamlFile::AllowOnly(const std::vector<std::string_view>& keys) const {
     std::string list;
     for (const std::string_view allowed : keys)
       list.append(list.empty() ? "" : ", ").append(allowed);
-    Fail(key, "expected one of the keys " + list + ", found " + Describe(key));
+    Fail(key, "expected one of the keys " + list + ", found " + NodeToString(key));
   }
 }
 
 std::string YamlFile::String(const std::string& key) const {
   const YAML::Node node = Get(key);
   if (!node.IsScalar() || node.Scalar().empty()) {
-    Fail(node, "expected text for '" + key + "', found " + Describe(node));
+    Fail(node, "expected text for '" + key + "', found " + NodeToString(node));
   }
   return node.Scalar();
 }
@@ -71,7 +71,7 @@ double YamlFile::Number(const std::string& key) const {
   const YAML::Node node = Get(key);
   double value = 0.0;
   if (!YAML::convert<double>::decode(node, value) || !std::isfinite(value)) {
-    Fail(node, "expected a number for '" + key + "', found " + Describe(node));
+    Fail(node, "expected a number for '" + key + "', found " + NodeToString(node));
   }
   return value;
 }
@@ -82,7 +82,7 @@ bool YamlFile::Flag(const std::string& key) const {
   if (YAML::convert<bool>::decode(node, value)) return value;
   double number = 0.0;
   if (!YAML::convert<double>::decode(node, number) || (number != 0.0 && number != 1.0)) {
-    Fail(node, "expected 0, 1, false or true for '" + key + "', found " + Describe(node));
+    Fail(node, "expected 0, 1, false or true for '" + key + "', found " + NodeToString(node));
   }
   return number == 1.0;
 }
@@ -90,12 +90,12 @@ bool YamlFile::Flag(const std::string& key) const {
 std::vector<double> YamlFile::Numbers(const YAML::Node& node, std::size_t count,
                                       const std::string& what) const {
   if (!node.IsSequence() || node.size() != count) {
-    Fail(node, "expected " + what + ", found " + Describe(node));
+    Fail(node, "expected " + what + ", found " + NodeToString(node));
   }
   std::vector<double> values(count);
   for (std::size_t i = 0; i < count; ++i) {
     if (!YAML::convert<double>::decode(node[i], values[i]) || !std::isfinite(values[i])) {
-      Fail(node[i], "expected " + what + ", found " + Describe(node[i]) + " in it");
+      Fail(node[i], "expected " + what + ", found " + NodeToString(node[i]) + " in it");
     }
   }
   return values;
@@ -104,7 +104,7 @@ std::vector<double> YamlFile::Numbers(const YAML::Node& node, std::size_t count,
 std::vector<YAML::Node> YamlFile::Items(const std::string& key) const {
   const YAML::Node node = Get(key);
   if (!node.IsSequence()) {
-    Fail(node, "expected a list for '" + key + "', found " + Describe(node));
+    Fail(node, "expected a list for '" + key + "', found " + NodeToString(node));
   }
   return {node.begin(), node.end()};
 }

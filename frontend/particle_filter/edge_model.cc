@@ -15,8 +15,8 @@ EdgeModel::EdgeModel(const Options& options)
   CHECK_GT(options.constant_sigma_rad, 0.0);
 }
 
-TrajectoryTree::Motion EdgeModel::Describe(const Step& step, const map::OccupancyGrid& map,
-                                           const scan_matching::ScanPoints& points) const {
+TrajectoryTree::Motion EdgeModel::Measure(const Step& step, const map::OccupancyGrid& map,
+                                          const scan_matching::ScanPoints& points) const {
   const bool control = options_.measurement == Measurement::kControl;
   // From the axes of the world to those of the node that the edge starts at.
   Eigen::Matrix3d world_R_previous = Eigen::Matrix3d::Identity();

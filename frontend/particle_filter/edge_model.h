@@ -47,8 +47,8 @@ class EdgeModel {
   explicit EdgeModel(const Options& options);
 
   // `map` as it was when the step was taken.
-  TrajectoryTree::Motion Describe(const Step& step, const map::OccupancyGrid& map,
-                                  const scan_matching::ScanPoints& points) const;
+  TrajectoryTree::Motion Measure(const Step& step, const map::OccupancyGrid& map,
+                                 const scan_matching::ScanPoints& points) const;
 
  private:
   Eigen::Matrix3d WorldInformation(const Step& step, const map::OccupancyGrid& map,

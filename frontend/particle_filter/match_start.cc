@@ -30,8 +30,8 @@ class StartAtPrediction : public MatchStart {
     return best;
   }
 
-  SE2 DrawInstead(const SE2& /*start*/, const SE2& world_T_previous, const Control& control,
-                  CounterRandom* random) const override {
+  SE2 SampleInstead(const SE2& /*start*/, const SE2& world_T_previous, const Control& control,
+                    CounterRandom* random) const override {
     return motion_model_.Sample(world_T_previous, control, random);
   }
 
@@ -50,8 +50,8 @@ class StartAtDraw : public MatchStart {
   }
 
   // The particle has been drawn already.
-  SE2 DrawInstead(const SE2& start, const SE2& /*world_T_previous*/, const Control& /*control*/,
-                  CounterRandom* /*random*/) const override {
+  SE2 SampleInstead(const SE2& start, const SE2& /*world_T_previous*/, const Control& /*control*/,
+                    CounterRandom* /*random*/) const override {
     return start;
   }
 

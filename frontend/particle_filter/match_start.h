@@ -38,9 +38,9 @@ class MatchStart {
 
   // Eq. (9): a draw from the motion model, for a particle whose match failed that had started at
   // `start`.
-  virtual backend::SE2 DrawInstead(const backend::SE2& start, const backend::SE2& world_T_previous,
-                                   const Control& control,
-                                   backend::CounterRandom* random) const = 0;
+  virtual backend::SE2 SampleInstead(const backend::SE2& start,
+                                     const backend::SE2& world_T_previous, const Control& control,
+                                     backend::CounterRandom* random) const = 0;
 };
 
 std::shared_ptr<const MatchStart> MakeMatchStart(const MatchStart::Options& options,

@@ -73,8 +73,8 @@ void ParticleFilter::Start(const sensor::LaserScan& scan, const SE2& world_T_rob
   particles_.assign(options_.particles, first);
 }
 
-ParticleFilter::Update ParticleFilter::Advance(const sensor::LaserScan& scan,
-                                               const std::vector<Control>& controls) {
+ParticleFilter::UpdateResult ParticleFilter::Update(const sensor::LaserScan& scan,
+                                                    const std::vector<Control>& controls) {
   CHECK(!particles_.empty()) << "Start comes first";
   CHECK(!controls.empty());
   ++step_;
@@ -82,7 +82,7 @@ ParticleFilter::Update ParticleFilter::Advance(const sensor::LaserScan& scan,
   for (const Control& control : controls) probabilities.push_back(control.probability);
   // From the middle, so that a single particle takes the likeliest.
   const std::vector<int> shares = SystematicResample(probabilities, options_.particles, 0.5);
-  Update update;
+  UpdateResult update;
   {
     const Stopwatch stopwatch(&times_.matching_s);
     const scan_matching::ScanPoints points = scan_matching::MakeScanPoints(scan);
@@ -137,12 +137,12 @@ void ParticleFilter::Move(const scan_matching::ScanPoints& points, const Control
         pose_sampling_->Sample(match.world_T_robot, prior, &model, &random);  // eqs. (11) to (13)
   } else {
     sampled.world_T_robot =
-        match_start_->DrawInstead(start, previous, control, &random);  // eq. (9)
-    sampled.log_factor = model.LogLikelihood(sampled.world_T_robot);   // eq. (10)
+        match_start_->SampleInstead(start, previous, control, &random);  // eq. (9)
+    sampled.log_factor = model.LogLikelihood(sampled.world_T_robot);     // eq. (10)
     sampled.world_covariance = prior.covariance;
   }
   particle.world_T_robot = sampled.world_T_robot;
-  particle.motion = edge_model_.Describe(
+  particle.motion = edge_model_.Measure(
       {previous, sampled.world_T_robot, control.motion, sampled.world_covariance, match.success},
       particle.map, points);
   particle.log_weight += sampled.log_factor;
@@ -150,7 +150,7 @@ void ParticleFilter::Move(const scan_matching::ScanPoints& points, const Control
 }
 
 // Step 9: resamples when N_eff is small. Ancestor of each particle of the next generation.
-std::vector<int> ParticleFilter::ChooseAncestors(Update* update) {
+std::vector<int> ParticleFilter::ChooseAncestors(UpdateResult* update) {
   std::vector<double> log_weights;
   for (const Particle& particle : particles_) log_weights.push_back(particle.log_weight);
   const std::vector<double> weights =

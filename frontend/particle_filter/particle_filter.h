@@ -49,7 +49,7 @@ class ParticleFilter {
 
   using Control = particle_filter::Control;
 
-  struct Update {
+  struct UpdateResult {
     double effective_sample_size = 0.0;
     bool resampled = false;
     int failed_matches = 0;  // number of particles
@@ -73,7 +73,7 @@ class ParticleFilter {
 
   // One step of the filter. Where there is more than one control, the particles share them out in
   // proportion to their probabilities, which add up to 1: the scans to come decide.
-  Update Advance(const sensor::LaserScan& scan, const std::vector<Control>& controls);
+  UpdateResult Update(const sensor::LaserScan& scan, const std::vector<Control>& controls);
 
   // One step of which nothing is known: `guess` is where the particles go on, each with a map of
   // this scan alone. The edge of the graph says next to nothing.
@@ -83,7 +83,7 @@ class ParticleFilter {
   int BestParticle() const;
   const std::vector<Particle>& particles() const { return particles_; }
 
-  // Poses of a particle at Start and at every Advance.
+  // Poses of a particle at Start and at every Update.
   std::vector<TrajectoryTree::Vertex> Path(int particle) const;
   std::vector<backend::SE2> PosesOfPath(int particle) const;
 
@@ -102,7 +102,7 @@ class ParticleFilter {
 
  private:
   void Move(const scan_matching::ScanPoints& points, const Control& control, int index);
-  std::vector<int> ChooseAncestors(Update* update);
+  std::vector<int> ChooseAncestors(UpdateResult* update);
   void Register(const sensor::LaserScan& scan, const std::vector<int>& ancestors);
   void Duplicate(const std::vector<int>& ancestors);
 

@@ -12,7 +12,8 @@ class GaussianSampling : public PoseSampling {
                      scan_matching::EndpointModel* model, CounterRandom* random) const override {
     const Proposal proposal =  // eqs. (11) and (12)
         ComputeProposal(model, match_world_T_robot, motion_prior);
-    return {Draw(proposal.gaussian, random), proposal.log_eta, proposal.gaussian.covariance};
+    return {SampleGaussian(proposal.gaussian, random), proposal.log_eta,
+            proposal.gaussian.covariance};
   }
 };
 

@@ -95,7 +95,7 @@ Proposal ComputeProposal(scan_matching::EndpointModel* model, const SE2& optimum
   return proposal;
 }
 
-SE2 Draw(const PoseGaussian& gaussian, backend::CounterRandom* random) {
+SE2 SampleGaussian(const PoseGaussian& gaussian, backend::CounterRandom* random) {
   const Matrix3d root = gaussian.covariance.llt().matrixL();
   Vector3d normal;
   for (double& value : normal) value = random->Gaussian();

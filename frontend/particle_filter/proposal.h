@@ -34,7 +34,7 @@ Proposal ComputeProposal(scan_matching::EndpointModel* model,
                          const PoseGaussian& motion_prior);
 
 // Eq. (13): draws a pose from N(mean, covariance).
-backend::SE2 Draw(const PoseGaussian& gaussian, backend::CounterRandom* random);
+backend::SE2 SampleGaussian(const PoseGaussian& gaussian, backend::CounterRandom* random);
 
 }  // namespace gmapping_spa::particle_filter
 

@@ -91,7 +91,7 @@ OdometryCheck::OdometryCheck(const Options& options)
   CHECK_GT(options.max_turn_rad_s, 0.0);
 }
 
-OdometryCheck::Step OdometryCheck::Advance(const LaserScan& scan) {
+OdometryCheck::Step OdometryCheck::Check(const LaserScan& scan) {
   Step step{{}, scan.has_odometry ? OdometryFault::kFirst : OdometryFault::kMissing};
   double elapsed_s = 0.0;
   if (previous_) {

@@ -50,7 +50,7 @@ class OdometryCheck {
 
   explicit OdometryCheck(const Options& options);
 
-  Step Advance(const LaserScan& scan);
+  Step Check(const LaserScan& scan);
 
  private:
   // What a reading, and the time, is compared with.

@@ -32,7 +32,7 @@ class ControlInputInARoom : public testing::Test {
   }
 
   ScanMotion Take(const sensor::LaserScan& scan) {
-    const ScanMotion motion = control_->Advance(scan);
+    const ScanMotion motion = control_->AddScan(scan);
     world_T_estimate_ = world_T_estimate_ * motion.motion;
     return motion;
   }

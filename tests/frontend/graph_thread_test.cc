@@ -56,11 +56,11 @@ std::int64_t CountOf(const Health& health, const char* kind) {
   return found == health.findings().end() ? 0 : found->second.count;
 }
 
-// Advances until a result comes, for five seconds at most.
-std::optional<PoseGraph> AdvanceUntilTaken(GraphThread* thread) {
+// Tries until a result comes, for five seconds at most.
+std::optional<PoseGraph> TryUntilTaken(GraphThread* thread) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
   while (std::chrono::steady_clock::now() < deadline) {
-    if (auto graph = thread->Advance(0.0)) return graph;
+    if (auto graph = thread->TakeIfDue(0.0)) return graph;
     std::this_thread::yield();
   }
   return std::nullopt;
@@ -77,14 +77,14 @@ TEST(GraphThread, LockstepTakesTheResultAtTheNthScanThoughItWasThereBefore) {
   thread.Start(GraphAt(10));
   done.acquire();
   for (int scan = 1; scan < 5; ++scan) {
-    EXPECT_FALSE(thread.Advance(0.0)) << scan;
+    EXPECT_FALSE(thread.TakeIfDue(0.0)) << scan;
     EXPECT_TRUE(thread.busy());
   }
-  const std::optional<PoseGraph> taken = thread.Advance(0.0);
+  const std::optional<PoseGraph> taken = thread.TakeIfDue(0.0);
   ASSERT_TRUE(taken);
   EXPECT_EQ(XOf(*taken), 11);
   EXPECT_FALSE(thread.busy());
-  EXPECT_FALSE(thread.Advance(0.0));
+  EXPECT_FALSE(thread.TakeIfDue(0.0));
 }
 
 TEST(GraphThread, LockstepWaitsAtTheNthScanForASlowBackEnd) {
@@ -92,10 +92,10 @@ TEST(GraphThread, LockstepWaitsAtTheNthScanForASlowBackEnd) {
   Health health;
   GraphThread thread(Lockstep(3), &health, backend.Function());
   thread.Start(GraphAt(10));
-  EXPECT_FALSE(thread.Advance(0.0));
-  EXPECT_FALSE(thread.Advance(0.0));
+  EXPECT_FALSE(thread.TakeIfDue(0.0));
+  EXPECT_FALSE(thread.TakeIfDue(0.0));
   const std::jthread allow([&backend] { backend.Allow(); });
-  const std::optional<PoseGraph> taken = thread.Advance(0.0);
+  const std::optional<PoseGraph> taken = thread.TakeIfDue(0.0);
   ASSERT_TRUE(taken);
   EXPECT_EQ(XOf(*taken), 11);
   EXPECT_EQ(thread.counts().late, 0);
@@ -107,10 +107,10 @@ TEST(GraphThread, LockstepCountsFromTheLatestStart) {
   Health health;
   GraphThread thread(Lockstep(2), &health, backend.Function());
   for (int round = 0; round < 3; ++round) {
-    EXPECT_FALSE(thread.Advance(0.0)) << "nothing was started";
+    EXPECT_FALSE(thread.TakeIfDue(0.0)) << "nothing was started";
     thread.Start(GraphAt(round));
-    EXPECT_FALSE(thread.Advance(0.0));
-    const std::optional<PoseGraph> taken = thread.Advance(0.0);
+    EXPECT_FALSE(thread.TakeIfDue(0.0));
+    const std::optional<PoseGraph> taken = thread.TakeIfDue(0.0);
     ASSERT_TRUE(taken);
     EXPECT_EQ(XOf(*taken), round + 1);
   }
@@ -124,7 +124,7 @@ TEST(GraphThread, InlineWaitsAtTheNextScan) {
   GraphThread thread({GraphThread::Mode::kInline, 10, 60.0}, &health, backend.Function());
   thread.Start(GraphAt(10));
   const std::jthread allow([&backend] { backend.Allow(); });
-  const std::optional<PoseGraph> taken = thread.Advance(0.0);
+  const std::optional<PoseGraph> taken = thread.TakeIfDue(0.0);
   ASSERT_TRUE(taken);
   EXPECT_EQ(XOf(*taken), 11);
 }
@@ -134,10 +134,10 @@ TEST(GraphThread, AsyncDoesNotWaitAndTakesTheResultWhenItIsThere) {
   Health health;
   GraphThread thread({GraphThread::Mode::kAsync, 2, 60.0}, &health, backend.Function());
   thread.Start(GraphAt(10));
-  for (int scan = 0; scan < 20; ++scan) EXPECT_FALSE(thread.Advance(0.0));
+  for (int scan = 0; scan < 20; ++scan) EXPECT_FALSE(thread.TakeIfDue(0.0));
   EXPECT_TRUE(thread.busy());
   backend.Allow();
-  const std::optional<PoseGraph> taken = AdvanceUntilTaken(&thread);
+  const std::optional<PoseGraph> taken = TryUntilTaken(&thread);
   ASSERT_TRUE(taken);
   EXPECT_EQ(XOf(*taken), 11);
   EXPECT_EQ(thread.counts().late, 0);
@@ -161,14 +161,14 @@ TEST(GraphThread, FailureCostsOnlyItsResult) {
   });
   for (int failures = 1; failures <= 3; ++failures) {
     thread.Start(GraphAt(10));
-    EXPECT_FALSE(thread.Advance(0.0));
-    EXPECT_FALSE(thread.Advance(0.0));
+    EXPECT_FALSE(thread.TakeIfDue(0.0));
+    EXPECT_FALSE(thread.TakeIfDue(0.0));
     EXPECT_FALSE(thread.busy());
     EXPECT_EQ(thread.counts().failed, failures);
   }
   thread.Start(GraphAt(10));
-  EXPECT_FALSE(thread.Advance(0.0));
-  const std::optional<PoseGraph> taken = thread.Advance(0.0);
+  EXPECT_FALSE(thread.TakeIfDue(0.0));
+  const std::optional<PoseGraph> taken = thread.TakeIfDue(0.0);
   ASSERT_TRUE(taken);
   EXPECT_EQ(XOf(*taken), 11);
   EXPECT_EQ(thread.counts().started, 4);
@@ -184,12 +184,12 @@ TEST(GraphThread, GoesOnWithoutABackEndThatHangsAndTakesItsResultWhenItComes) {
     Health health;
     GraphThread thread({mode, 1, 0.005}, &health, backend.Function());
     thread.Start(GraphAt(10));
-    for (int scan = 0; scan < 10; ++scan) EXPECT_FALSE(thread.Advance(0.0));
+    for (int scan = 0; scan < 10; ++scan) EXPECT_FALSE(thread.TakeIfDue(0.0));
     EXPECT_TRUE(thread.busy());
     EXPECT_EQ(thread.counts().late, 1);
     EXPECT_EQ(CountOf(health, "backend_late"), 1);
     backend.Allow();
-    const std::optional<PoseGraph> taken = AdvanceUntilTaken(&thread);
+    const std::optional<PoseGraph> taken = TryUntilTaken(&thread);
     ASSERT_TRUE(taken);
     EXPECT_EQ(XOf(*taken), 11);
     EXPECT_EQ(thread.counts().taken, 1);
@@ -198,7 +198,7 @@ TEST(GraphThread, GoesOnWithoutABackEndThatHangsAndTakesItsResultWhenItComes) {
     // The next one has its full time again.
     thread.Start(GraphAt(20));
     backend.Allow();
-    EXPECT_TRUE(AdvanceUntilTaken(&thread));
+    EXPECT_TRUE(TryUntilTaken(&thread));
   }
 }
 
@@ -208,9 +208,9 @@ TEST(GraphThread, WaitsForABackEndThatHangsOnlyOnce) {
   GraphThread thread(Lockstep(1, 0.1), &health, backend.Function());
   thread.Start(GraphAt(10));
   const auto start = std::chrono::steady_clock::now();
-  EXPECT_FALSE(thread.Advance(0.0));
+  EXPECT_FALSE(thread.TakeIfDue(0.0));
   EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(100));
-  for (int scan = 0; scan < 50; ++scan) EXPECT_FALSE(thread.Advance(0.0));
+  for (int scan = 0; scan < 50; ++scan) EXPECT_FALSE(thread.TakeIfDue(0.0));
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
   backend.Allow();
 }
@@ -223,7 +223,7 @@ TEST(GraphThread, TimeoutOfZeroTakesWhatIsThere) {
     Health health;
     GraphThread thread({mode, 2, 0.0}, &health, backend.Function());
     thread.Start(GraphAt(10));
-    EXPECT_TRUE(AdvanceUntilTaken(&thread)) << static_cast<int>(mode);
+    EXPECT_TRUE(TryUntilTaken(&thread)) << static_cast<int>(mode);
   }
 }
 
@@ -291,7 +291,7 @@ TEST(GraphThread, ReportsWithTheStampOfTheLatestScan) {
   GraphThread thread(Lockstep(1), &health, [](PoseGraph*) { return Summary{}; });
   for (const double stamp_s : {12.5, 13.5}) {
     thread.Start(GraphAt(10));
-    EXPECT_FALSE(thread.Advance(stamp_s));
+    EXPECT_FALSE(thread.TakeIfDue(stamp_s));
   }
   EXPECT_FALSE(thread.Run(GraphAt(10)));
   const Finding& failed = health.findings().at("backend_failed");
@@ -306,7 +306,7 @@ TEST(GraphThread, ABackEndThatConvergesIsNothingToReport) {
   Health health;
   GraphThread thread(Lockstep(1), &health, backend.Function());
   thread.Start(GraphAt(10));
-  EXPECT_TRUE(thread.Advance(0.0));
+  EXPECT_TRUE(thread.TakeIfDue(0.0));
   EXPECT_TRUE(health.findings().empty());
 }
 

@@ -63,7 +63,7 @@ class Drive {
   ScanMotion Take(sensor::LaserScan scan, const backend::SE2& world_T_robot, const Wheels& wheels) {
     scan.stamp_s = stamp_s_;
     stamp_s_ += 0.1;
-    const ScanMotion motion = odometry_.Advance(scan, wheels);
+    const ScanMotion motion = odometry_.MatchScan(scan, wheels);
     world_T_robot_ = world_T_robot;
     if (!started_) world_T_estimate_ = world_T_robot;
     started_ = true;

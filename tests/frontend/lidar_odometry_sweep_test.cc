@@ -37,7 +37,7 @@ class SlowLaser : public testing::Test {
       scan.stamp_s = 10.0 + kInterval_s * k;
       // Wheels that turn 5 % too little.
       const SE2 wheels = backend::Exp(0.95 * backend::Log(Between(before, truth)));
-      const ScanMotion motion = odometry.Advance(scan, {k == 0 ? SE2{} : wheels});
+      const ScanMotion motion = odometry.MatchScan(scan, {k == 0 ? SE2{} : wheels});
       estimate = k == 0 ? truth : estimate * motion.motion;
     }
     sweep_s_ = odometry.sweep_s();

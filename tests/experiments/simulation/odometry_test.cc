@@ -29,7 +29,7 @@ struct Moments {
 backend::SE2 DriveFor(const OdometryOptions& options, std::uint64_t seed,
                       const BodyVelocity& velocity, int steps, double step_s = kStepS) {
   Odometry odometry(options, seed);
-  for (int i = 0; i < steps; ++i) odometry.Advance(velocity, step_s);
+  for (int i = 0; i < steps; ++i) odometry.Integrate(velocity, step_s);
   return odometry.odom_T_robot();
 }
 
@@ -74,7 +74,7 @@ TEST(Odometry, TurningOnTheSpotDisturbsBothHeadingAndPosition) {
   Moments heading, forward;
   for (int seed = 0; seed < kRuns; ++seed) {
     Odometry odometry(options, seed);
-    odometry.Advance({0.0, 0.8}, kStepS);
+    odometry.Integrate({0.0, 0.8}, kStepS);
     heading.Add(odometry.measured_velocity().angular_rad_s * kStepS);
     forward.Add(odometry.measured_velocity().linear_m_s * kStepS);
   }
@@ -97,7 +97,7 @@ TEST(Odometry, SlipsAndBumpsComeAtTheirRates) {
   options.bumps_per_m = 0.02;
   Odometry odometry(options, 3);
   // 5000 m: 250 slips and 100 bumps, Poisson.
-  for (int i = 0; i < 100000; ++i) odometry.Advance({1.0, 0.0}, kStepS);
+  for (int i = 0; i < 100000; ++i) odometry.Integrate({1.0, 0.0}, kStepS);
   EXPECT_NEAR(odometry.slips(), 250, 5.0 * std::sqrt(250.0));
   EXPECT_NEAR(odometry.bumps(), 100, 5.0 * std::sqrt(100.0));
 }
@@ -108,7 +108,7 @@ TEST(Odometry, ASlipChangesTheSpeedOfOneWheelForAWhile) {
   Odometry odometry(options, 3);
   int steps_slipping = 0;
   for (int i = 0; i < 100000; ++i) {
-    odometry.Advance({1.0, 0.0}, kStepS);
+    odometry.Integrate({1.0, 0.0}, kStepS);
     const WheelSpeeds wheels = ToWheelSpeeds(odometry.measured_velocity(), options.wheel_base_m);
     const bool left = std::abs(wheels.left_m_s - 1.0) > 1e-9;
     const bool right = std::abs(wheels.right_m_s - 1.0) > 1e-9;
@@ -126,7 +126,7 @@ TEST(Odometry, ABumpTurnsTheHeadingInOneStep) {
   int steps_turning = 0;
   double sum_squares = 0.0;
   for (int i = 0; i < 100000; ++i) {
-    odometry.Advance({1.0, 0.0}, kStepS);
+    odometry.Integrate({1.0, 0.0}, kStepS);
     const BodyVelocity measured = odometry.measured_velocity();
     EXPECT_EQ(measured.linear_m_s, 1.0);
     steps_turning += measured.angular_rad_s != 0.0;
@@ -146,9 +146,9 @@ TEST(Odometry, WheelsAreWrongByTheSameAllTheWay) {
   Moments scale, ratio;
   for (int seed = 0; seed < kRuns; ++seed) {
     Odometry odometry(options, seed);
-    odometry.Advance({1.0, 0.0}, kStepS);
+    odometry.Integrate({1.0, 0.0}, kStepS);
     const BodyVelocity first = odometry.measured_velocity();
-    odometry.Advance({2.0, 0.0}, kStepS);
+    odometry.Integrate({2.0, 0.0}, kStepS);
     EXPECT_DOUBLE_EQ(odometry.measured_velocity().linear_m_s, 2.0 * first.linear_m_s);
     EXPECT_NEAR(odometry.measured_velocity().angular_rad_s, 2.0 * first.angular_rad_s, 1e-12);
     scale.Add(first.linear_m_s);
@@ -162,10 +162,10 @@ TEST(Odometry, AWheelBaseBelievedTooWideReportsTurnsTooSmall) {
   OdometryOptions options = OnlyInterference();
   options.wheel_base_factor = 1.25;
   Odometry odometry(options, 1);
-  odometry.Advance({1.2, 0.5}, kStepS);
+  odometry.Integrate({1.2, 0.5}, kStepS);
   EXPECT_DOUBLE_EQ(odometry.measured_velocity().angular_rad_s, 0.5 / 1.25);
   EXPECT_DOUBLE_EQ(odometry.measured_velocity().linear_m_s, 1.2);
-  odometry.Advance({0.7, -0.3}, kStepS);
+  odometry.Integrate({0.7, -0.3}, kStepS);
   EXPECT_NEAR(odometry.measured_velocity().angular_rad_s, -0.3 / 1.25, 1e-12);
   options.interference = 0.0;
   EXPECT_NEAR(DriveFor(options, 1, {0.0, 0.5}, 100).theta, 2.5 / 1.25, 1e-9) << "not scaled";
@@ -194,7 +194,7 @@ TEST(Odometry, SilentWheelsReportNothing) {
   OdometryOptions options;
   options.silent = true;
   Odometry odometry(options, 1);
-  for (int i = 0; i < 200; ++i) odometry.Advance({1.0, 0.5}, 0.05);
+  for (int i = 0; i < 200; ++i) odometry.Integrate({1.0, 0.5}, 0.05);
   EXPECT_EQ(odometry.odom_T_robot(), backend::SE2());
   EXPECT_EQ(odometry.measured_velocity().linear_m_s, 0.0);
   EXPECT_EQ(odometry.bumps() + odometry.slips(), 0);
@@ -210,7 +210,7 @@ TEST(Odometry, AKnockMovesAsWellAsTurns) {
   Odometry odometry(options, 1);
   double sum_squares = 0.0, last_x_m = 0.0;
   for (int i = 0; i < 40000; ++i) {
-    odometry.Advance({1.0, 0.0}, 0.05);
+    odometry.Integrate({1.0, 0.0}, 0.05);
     const double jump_m = odometry.odom_T_robot().x - last_x_m - 0.05;
     last_x_m = odometry.odom_T_robot().x;
     sum_squares += jump_m * jump_m;
@@ -225,9 +225,9 @@ TEST(Odometry, NeitherSlipsNorBumpsWhileItIsCalm) {
   options.slips_per_m = options.bumps_per_m = 100.0;
   options.calm_s = 10.0;
   Odometry odometry(options, 1);
-  for (int i = 0; i < 199; ++i) odometry.Advance({1.0, 0.0}, 0.05);
+  for (int i = 0; i < 199; ++i) odometry.Integrate({1.0, 0.0}, 0.05);
   EXPECT_EQ(odometry.slips() + odometry.bumps(), 0);
-  for (int i = 0; i < 20; ++i) odometry.Advance({1.0, 0.0}, 0.05);
+  for (int i = 0; i < 20; ++i) odometry.Integrate({1.0, 0.0}, 0.05);
   EXPECT_GT(odometry.slips(), 5);
   EXPECT_GT(odometry.bumps(), 5);
 }

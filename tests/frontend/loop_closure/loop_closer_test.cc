@@ -174,7 +174,7 @@ TEST_F(LoopClosing, ClosuresThatContradictEachOtherAreNotAccepted) {
 TEST_F(LoopClosing, LooksAtANodeAfterEachStretchOfTheWay) {
   Drive(66, {});
   LoopCloser::Options options = Options();
-  options.attempt_every_m = 6.0;
+  options.search_every_m = 6.0;
   options.candidates.min_path_length_m = 40.0;  // of one pass only
   LoopCloser closer(options);
   UpdateWithEveryNode(&closer);

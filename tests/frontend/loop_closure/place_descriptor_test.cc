@@ -26,31 +26,31 @@ std::vector<Eigen::Vector2d> SeenAt(double path_length_m, double turn_rad) {
   return points;
 }
 
-TEST(DescribePlace, DoesNotDependOnTheHeading) {
-  const PlaceDescriptor place = DescribePlace(SeenAt(5.0, 0.0));
+TEST(ComputeDescriptor, DoesNotDependOnTheHeading) {
+  const PlaceDescriptor place = ComputeDescriptor(SeenAt(5.0, 0.0));
   EXPECT_NEAR(place.norm(), 1.0, 1e-5);
   for (const double turn_rad : {0.3, 1.5, 3.1}) {
-    EXPECT_LT(Dissimilarity(place, DescribePlace(SeenAt(5.0, turn_rad))), 0.02) << turn_rad;
+    EXPECT_LT(Dissimilarity(place, ComputeDescriptor(SeenAt(5.0, turn_rad))), 0.02) << turn_rad;
   }
 }
 
-TEST(DescribePlace, TellsPlacesApart) {
-  const PlaceDescriptor place = DescribePlace(SeenAt(2.0, 0.0));
-  const double same = Dissimilarity(place, DescribePlace(SeenAt(2.3, 2.0)));
+TEST(ComputeDescriptor, TellsPlacesApart) {
+  const PlaceDescriptor place = ComputeDescriptor(SeenAt(2.0, 0.0));
+  const double same = Dissimilarity(place, ComputeDescriptor(SeenAt(2.3, 2.0)));
   for (const double path_length_m : {8.0, 15.0, 21.0, 32.0}) {
-    EXPECT_GT(Dissimilarity(place, DescribePlace(SeenAt(path_length_m, 0.0))), 1.5 * same)
+    EXPECT_GT(Dissimilarity(place, ComputeDescriptor(SeenAt(path_length_m, 0.0))), 1.5 * same)
         << path_length_m;
   }
 }
 
-TEST(DescribePlace, LeavesOutWhatIsFarAway) {
-  EXPECT_EQ(DescribePlace({{kDescribedRadius_m, 0.0}, {0.0, -100.0}}).norm(), 0.0);
+TEST(ComputeDescriptor, LeavesOutWhatIsFarAway) {
+  EXPECT_EQ(ComputeDescriptor({{kDescriptorRadius_m, 0.0}, {0.0, -100.0}}).norm(), 0.0);
 }
 
-TEST(DescribePlace, OfNothingIsZeroAndLikeNothing) {
-  const PlaceDescriptor nothing = DescribePlace({});
+TEST(ComputeDescriptor, OfNothingIsZeroAndLikeNothing) {
+  const PlaceDescriptor nothing = ComputeDescriptor({});
   EXPECT_EQ(nothing.norm(), 0.0);
-  EXPECT_EQ(Dissimilarity(nothing, DescribePlace({{1.0, 2.0}})), 1.0);
+  EXPECT_EQ(Dissimilarity(nothing, ComputeDescriptor({{1.0, 2.0}})), 1.0);
 }
 
 }  // namespace

@@ -45,8 +45,8 @@ class OneStep : public testing::Test {
         scan_matching::MakeScanPoints(synthetic::Scan(synthetic::Room(), step_.world_T_robot));
   }
 
-  Motion Described(const EdgeModel::Options& options) const {
-    return EdgeModel(options).Describe(step_, grid_, points_);
+  Motion Measured(const EdgeModel::Options& options) const {
+    return EdgeModel(options).Measure(step_, grid_, points_);
   }
 
   // Expects the information to say of a displacement of the measured step what `in_world` says of
@@ -73,10 +73,10 @@ class OneStep : public testing::Test {
 };
 
 TEST_F(OneStep, MeasurementIsTheStepOfTheParticleOrTheControlInput) {
-  const Motion particle = Described(With(Measurement::kParticle));
+  const Motion particle = Measured(With(Measurement::kParticle));
   EXPECT_TRUE(particle.previous_T_robot == Between(step_.world_T_previous, step_.world_T_robot));
   EXPECT_TRUE(particle.matched);
-  const Motion control = Described(With(Measurement::kControl));
+  const Motion control = Measured(With(Measurement::kControl));
   EXPECT_TRUE(control.previous_T_robot == step_.control);
   EXPECT_TRUE(control.matched);
   EXPECT_TRUE(control.information == particle.information);
@@ -85,16 +85,16 @@ TEST_F(OneStep, MeasurementIsTheStepOfTheParticleOrTheControlInput) {
 TEST_F(OneStep, InformationIsInTheFrameOfThePreviousPose) {
   for (const double heading_rad : {0.0, 0.4, 1.5707963267948966, 2.2, -2.9}) {
     step_.world_T_previous.theta = heading_rad;
-    ExpectSameStatement(Described({}).information, step_.world_covariance.inverse());
+    ExpectSameStatement(Measured({}).information, step_.world_covariance.inverse());
   }
   // Nor is it that of the world by accident.
-  EXPECT_FALSE(Described({}).information.isApprox(step_.world_covariance.inverse(), 0.1));
+  EXPECT_FALSE(Measured({}).information.isApprox(step_.world_covariance.inverse(), 0.1));
 }
 
 TEST_F(OneStep, InformationIsSymmetricToTheBitAndPositiveDefinite) {
   for (const Information which :
        {Information::kProposal, Information::kHessian, Information::kConstant}) {
-    const Eigen::Matrix3d information = Described(With(which)).information;
+    const Eigen::Matrix3d information = Measured(With(which)).information;
     EXPECT_TRUE(information == information.transpose());
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(information).eigenvalues()(0), 0.0);
   }
@@ -106,12 +106,12 @@ TEST_F(OneStep, HessianIsThatOfScanMatchingAtTheNewPose) {
   options.gauss_newton.noise_sigma_m = 0.05;
   const Eigen::Matrix3d matching =
       GaussNewton(options.gauss_newton).InformationAt(grid_, points_, step_.world_T_robot);
-  ExpectSameStatement(Described(options).information, 0.25 * matching + GaussNewton::WeakPrior());
+  ExpectSameStatement(Measured(options).information, 0.25 * matching + GaussNewton::WeakPrior());
 }
 
 TEST_F(OneStep, HessianOfAScanThatMeetsNothingIsTheWeakPrior) {
   const EdgeModel model(With(Information::kHessian));
-  const Motion motion = model.Describe(step_, map::OccupancyGrid({}), points_);
+  const Motion motion = model.Measure(step_, map::OccupancyGrid({}), points_);
   EXPECT_TRUE(motion.information.isApprox(GaussNewton::WeakPrior(), 1e-9));
 }
 
@@ -120,9 +120,9 @@ TEST_F(OneStep, ConstantInformationIsInverseToTheSquaredSigmasWhateverTheHeading
   options.constant_sigma_m = 0.2;
   options.constant_sigma_rad = 0.1;
   const Eigen::Matrix3d expected = Eigen::Vector3d(25.0, 25.0, 100.0).asDiagonal();
-  EXPECT_TRUE(Described(options).information.isApprox(expected, 1e-9));
+  EXPECT_TRUE(Measured(options).information.isApprox(expected, 1e-9));
   step_.world_T_previous.theta = -0.7;
-  EXPECT_TRUE(Described(options).information.isApprox(expected, 1e-9));
+  EXPECT_TRUE(Measured(options).information.isApprox(expected, 1e-9));
 }
 
 TEST_F(OneStep, WithoutAMatchTheMotionModelIsAllThereIs) {
@@ -134,7 +134,7 @@ TEST_F(OneStep, WithoutAMatchTheMotionModelIsAllThereIs) {
       motion_model.Sigmas(step_.control).array().square().inverse().matrix().asDiagonal();
   for (const Information which :
        {Information::kProposal, Information::kHessian, Information::kConstant}) {
-    const Motion motion = Described(With(which));
+    const Motion motion = Measured(With(which));
     EXPECT_FALSE(motion.matched);
     EXPECT_TRUE(motion.information.isApprox(expected, 1e-9));
   }

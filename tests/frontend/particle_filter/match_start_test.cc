@@ -47,7 +47,7 @@ TEST_F(InARoom, AFailedMatchDrawsAfreshUnlessItHasStartedAtADraw) {
   const SE2 start{1, 2, 3};
   const auto draw_instead = [&](MatchStart::Kind kind) {
     return MakeMatchStart({.kind = kind}, motion_model_)
-        ->DrawInstead(start, previous_, control_, &random_);
+        ->SampleInstead(start, previous_, control_, &random_);
   };
   CounterRandom same(1, 0);
   EXPECT_TRUE(draw_instead(MatchStart::Kind::kPrediction) ==

@@ -202,7 +202,8 @@ TEST(ParticleFilterCorrection, FilterGoesOnAlikeWithOneThreadOrTwo) {
     for (std::size_t i = 0; i < 4; ++i) {
       EXPECT_TRUE(SameMap(one.filter.particles()[i].map, two.filter.particles()[i].map)) << i;
     }
-    for (const ParticleFilter::Update& update : one.updates) EXPECT_EQ(update.failed_matches, 0);
+    for (const ParticleFilter::UpdateResult& update : one.updates)
+      EXPECT_EQ(update.failed_matches, 0);
   }
 }
 

@@ -25,7 +25,7 @@ class NewPiece : public testing::Test {
         options_, std::make_shared<scan_matching::HillClimbing>(
                       scan_matching::HillClimbing::Options{}, options_.endpoint));
     filter_->Start(ScanAt({}), {});
-    filter_->Advance(ScanAt({0.5, 0, 0}), {{.motion = {0.5, 0, 0}}});
+    filter_->Update(ScanAt({0.5, 0, 0}), {{.motion = {0.5, 0, 0}}});
     for (const Particle& particle : filter_->particles()) before_.push_back(particle.world_T_robot);
     filter_->BeginPiece(ScanAt({-1, 1, 2}), kGuess);
   }

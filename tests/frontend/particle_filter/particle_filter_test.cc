@@ -94,7 +94,8 @@ TEST(ParticleFilter, TracksARobotInARoomWithFiveParticles) {
     EXPECT_LT(worst_rad, 0.02);
     // Not by the odometry's merit.
     EXPECT_GT(Between(truth.back(), dead_reckoning).translation().norm(), 0.12);
-    for (const ParticleFilter::Update& update : run.updates) EXPECT_EQ(update.failed_matches, 0);
+    for (const ParticleFilter::UpdateResult& update : run.updates)
+      EXPECT_EQ(update.failed_matches, 0);
   }
 }
 
@@ -109,8 +110,8 @@ class OneStep : public testing::Test {
                      scan_matching::HillClimbing::Options{}, options.endpoint));
     filter_->Start(synthetic::Scan(synthetic::Room(), {}), {});
   }
-  ParticleFilter::Update Step(const SE2& truth, const SE2& increment) {
-    return filter_->Advance(synthetic::Scan(synthetic::Room(), truth), {{increment}});
+  ParticleFilter::UpdateResult Step(const SE2& truth, const SE2& increment) {
+    return filter_->Update(synthetic::Scan(synthetic::Room(), truth), {{increment}});
   }
   std::unique_ptr<ParticleFilter> filter_;
 };
@@ -142,7 +143,7 @@ TEST_F(OneStep, TwinsShareAllTilesAfterResampling) {
 
 TEST_F(OneStep, FailedMatchFallsBackToTheMotionModel) {
   sensor::LaserScan blind;  // no beams: nothing to match
-  const ParticleFilter::Update update = filter_->Advance(blind, {{SE2{1.0, 0.0, 0.0}}});
+  const ParticleFilter::UpdateResult update = filter_->Update(blind, {{SE2{1.0, 0.0, 0.0}}});
   EXPECT_EQ(update.failed_matches, 8);
   EXPECT_NEAR(update.effective_sample_size, 8.0, 1e-9);
   const Eigen::Vector3d sigmas = MotionModel({}).Sigmas({1, 0, 0});
@@ -163,7 +164,7 @@ class OneStepWithoutResampling : public OneStep {
 
 TEST_F(OneStepWithoutResampling, ParticlesShareOutWhatTheControlInputDoesNotDecide) {
   const sensor::LaserScan blind;
-  filter_->Advance(blind, {{{1.0, 0.0, 0.0}, 0.75}, {{-1.0, 0.0, 0.0}, 0.25}});
+  filter_->Update(blind, {{{1.0, 0.0, 0.0}, 0.75}, {{-1.0, 0.0, 0.0}, 0.25}});
   int ahead = 0;
   for (const Particle& particle : filter_->particles()) ahead += particle.world_T_robot.x > 0.0;
   EXPECT_EQ(ahead, 6);

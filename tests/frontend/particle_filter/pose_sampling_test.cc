@@ -31,7 +31,7 @@ TEST_F(InARoom, GaussianDrawsFromTheImprovedProposalAndWeightsByItsIntegral) {
   const SampledPose sampled = Sample(PoseSampling::Kind::kGaussian);
   const Proposal proposal = ComputeProposal(&model_, match_, prior_);
   CounterRandom same(1, 0);
-  EXPECT_TRUE(sampled.world_T_robot == Draw(proposal.gaussian, &same));
+  EXPECT_TRUE(sampled.world_T_robot == SampleGaussian(proposal.gaussian, &same));
   EXPECT_EQ(sampled.log_factor, proposal.log_eta);
   EXPECT_EQ(sampled.world_covariance, proposal.gaussian.covariance);
 }

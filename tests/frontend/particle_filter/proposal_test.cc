@@ -256,7 +256,7 @@ TEST(ComputeProposal, IsThePriorWhereTheMapSaysNothing) {
   EXPECT_NEAR(proposal.log_eta, model.LogLikelihood(prior.mean), 0.02);
 }
 
-TEST(Draw, HasTheMeanAndTheCovarianceOfTheGaussian) {
+TEST(SampleGaussian, HasTheMeanAndTheCovarianceOfTheGaussian) {
   PoseGaussian gaussian{{1, -2, 3.1}, Matrix3d::Zero()};  // across the end of the circle
   gaussian.covariance << 0.04, 0.01, -0.005, 0.01, 0.02, 0.003, -0.005, 0.003, 0.01;
   backend::CounterRandom random(5, 0);
@@ -264,7 +264,7 @@ TEST(Draw, HasTheMeanAndTheCovarianceOfTheGaussian) {
   Vector3d first = Vector3d::Zero();
   Matrix3d second = Matrix3d::Zero();
   for (int i = 0; i < kSamples; ++i) {
-    const SE2 sample = Draw(gaussian, &random);
+    const SE2 sample = SampleGaussian(gaussian, &random);
     EXPECT_LE(std::abs(sample.theta), std::numbers::pi);
     const Vector3d d = Minus(sample, gaussian.mean);
     first += d;

@@ -46,13 +46,13 @@ struct Tour {
     const std::vector<backend::SE2> truth = Drive();
     for (; steps > 0; --steps) {
       const std::size_t i = updates.size() + 1;
-      updates.push_back(filter.Advance(ScanOnDrive(static_cast<int>(i)),
-                                       {{MeasuredIncrement(truth[i - 1], truth[i])}}));
+      updates.push_back(filter.Update(ScanOnDrive(static_cast<int>(i)),
+                                      {{MeasuredIncrement(truth[i - 1], truth[i])}}));
     }
   }
 
   ParticleFilter filter;
-  std::vector<ParticleFilter::Update> updates;
+  std::vector<ParticleFilter::UpdateResult> updates;
 };
 
 inline ParticleFilter::Options Particles(int particles, int threads = 1, std::uint64_t seed = 1) {

@@ -23,15 +23,15 @@ LaserScan ScanAt(double stamp_s, const SE2& odom_T_robot, double range_m) {
 
 class OdometryCheckTest : public ::testing::Test {
  protected:
-  OdometryCheck::Step Advance(double stamp_s, const SE2& odom_T_robot) {
-    return check_.Advance(ScanAt(stamp_s, odom_T_robot, range_m_ += 0.01));
+  OdometryCheck::Step Check(double stamp_s, const SE2& odom_T_robot) {
+    return check_.Check(ScanAt(stamp_s, odom_T_robot, range_m_ += 0.01));
   }
   OdometryFault FaultOf(double stamp_s, const SE2& odom_T_robot) {
-    return Advance(stamp_s, odom_T_robot).fault;
+    return Check(stamp_s, odom_T_robot).fault;
   }
   // Straight ahead at 0.5 m/s, five scans a second, from (10, 0, 0) on; returns the last stamp.
   double Drive(int scans) {
-    for (int i = 0; i < scans; ++i) Advance(0.2 * i, {10.0 + 0.1 * i, 0, 0});
+    for (int i = 0; i < scans; ++i) Check(0.2 * i, {10.0 + 0.1 * i, 0, 0});
     return 0.2 * (scans - 1);
   }
   void ExpectNothingKnown(const OdometryCheck::Step& step, OdometryFault fault) {
@@ -44,8 +44,8 @@ class OdometryCheckTest : public ::testing::Test {
 };
 
 TEST_F(OdometryCheckTest, GivesTheMotionInTheFrameOfTheRobot) {
-  ExpectNothingKnown(Advance(0.0, {1, 2, M_PI / 2}), OdometryFault::kFirst);
-  const OdometryCheck::Step step = Advance(0.2, {1, 2.1, M_PI / 2 + 0.1});
+  ExpectNothingKnown(Check(0.0, {1, 2, M_PI / 2}), OdometryFault::kFirst);
+  const OdometryCheck::Step step = Check(0.2, {1, 2.1, M_PI / 2 + 0.1});
   EXPECT_EQ(step.fault, OdometryFault::kNone);
   EXPECT_NEAR(step.motion.x, 0.1, 1e-12);
   EXPECT_NEAR(step.motion.y, 0.0, 1e-12);
@@ -53,21 +53,21 @@ TEST_F(OdometryCheckTest, GivesTheMotionInTheFrameOfTheRobot) {
 }
 
 TEST_F(OdometryCheckTest, AStepFasterThanARobotIsNoInformationAndTheNextOneCountsAgain) {
-  Advance(0.0, {10, 0, 0});
-  ExpectNothingKnown(Advance(0.2, {11.1, 0, 0}), OdometryFault::kImpossible);
-  EXPECT_NEAR(Advance(0.4, {11.2, 0, 0}).motion.x, 0.1, 1e-12);
-  ExpectNothingKnown(Advance(0.6, {11.2, 0, 1.3}), OdometryFault::kImpossible);
+  Check(0.0, {10, 0, 0});
+  ExpectNothingKnown(Check(0.2, {11.1, 0, 0}), OdometryFault::kImpossible);
+  EXPECT_NEAR(Check(0.4, {11.2, 0, 0}).motion.x, 0.1, 1e-12);
+  ExpectNothingKnown(Check(0.6, {11.2, 0, 1.3}), OdometryFault::kImpossible);
   EXPECT_EQ(FaultOf(0.8, {11.2, 0, 1.35}), OdometryFault::kNone);
 }
 
 TEST_F(OdometryCheckTest, ALongTimeAllowsALongStep) {
-  Advance(0.0, {10, 0, 0});
+  Check(0.0, {10, 0, 0});
   EXPECT_EQ(FaultOf(10.0, {40, 0, 2}), OdometryFault::kNone);
 }
 
 TEST_F(OdometryCheckTest, LimitsAreThoseOfTheOptions) {
   check_ = OdometryCheck({.max_speed_m_s = 1.0, .max_turn_rad_s = 1.0});
-  Advance(0.0, {10, 0, 0});
+  Check(0.0, {10, 0, 0});
   EXPECT_EQ(FaultOf(0.5, {10.4, 0, 0.4}), OdometryFault::kNone);
   EXPECT_EQ(FaultOf(1.0, {11.0, 0, 0.4}), OdometryFault::kImpossible);
   EXPECT_EQ(FaultOf(1.5, {11.0, 0, 1.0}), OdometryFault::kImpossible);
@@ -89,7 +89,7 @@ TEST_F(OdometryCheckTest, JitterOfStampsMakesNoStepImpossible) {
 TEST_F(OdometryCheckTest, ABunchOfScansThatWereWaitingMakesNoStepImpossible) {
   // Five scans a second at 1 m/s; then many that waited come at once, the last two in wrong order.
   double stamp_s = 0.0, x = 10.0;
-  for (int i = 0; i < 50; ++i) Advance(stamp_s += 0.2, {x += 0.2, 0, 0});
+  for (int i = 0; i < 50; ++i) Check(stamp_s += 0.2, {x += 0.2, 0, 0});
   stamp_s += 4.0;
   for (int i = 0; i < 20; ++i) {
     EXPECT_EQ(FaultOf(stamp_s += 0.002, {x += 0.2, 0, 0}), OdometryFault::kNone) << i;
@@ -99,24 +99,24 @@ TEST_F(OdometryCheckTest, ABunchOfScansThatWereWaitingMakesNoStepImpossible) {
 
 TEST_F(OdometryCheckTest, ReadingsThatAreNotFiniteSayNothingAboutEitherNeighbor) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  Advance(0.0, {nan, 0, 0});
-  ExpectNothingKnown(Advance(0.2, {1, 0, 0}), OdometryFault::kImpossible);
-  ExpectNothingKnown(Advance(0.4, {1, nan, 0}), OdometryFault::kImpossible);
-  ExpectNothingKnown(Advance(0.6, {1.1, 0, 0}), OdometryFault::kImpossible);
+  Check(0.0, {nan, 0, 0});
+  ExpectNothingKnown(Check(0.2, {1, 0, 0}), OdometryFault::kImpossible);
+  ExpectNothingKnown(Check(0.4, {1, nan, 0}), OdometryFault::kImpossible);
+  ExpectNothingKnown(Check(0.6, {1.1, 0, 0}), OdometryFault::kImpossible);
   EXPECT_EQ(FaultOf(0.8, {1.2, 0, 0}), OdometryFault::kNone);
 }
 
 TEST_F(OdometryCheckTest, AJumpToZeroOrToTheFirstReadingIsARestart) {
   double stamp_s = Drive(20);
-  ExpectNothingKnown(Advance(stamp_s += 0.2, {0, 0, 0}), OdometryFault::kRestart);
-  EXPECT_NEAR(Advance(stamp_s += 0.2, {0.1, 0, 0}).motion.x, 0.1, 1e-12);
-  for (int i = 2; i < 40; ++i) Advance(stamp_s += 0.2, {0.1 * i, 0, 0});
-  ExpectNothingKnown(Advance(stamp_s += 0.2, {10.02, 0, 0}), OdometryFault::kRestart);
+  ExpectNothingKnown(Check(stamp_s += 0.2, {0, 0, 0}), OdometryFault::kRestart);
+  EXPECT_NEAR(Check(stamp_s += 0.2, {0.1, 0, 0}).motion.x, 0.1, 1e-12);
+  for (int i = 2; i < 40; ++i) Check(stamp_s += 0.2, {0.1 * i, 0, 0});
+  ExpectNothingKnown(Check(stamp_s += 0.2, {10.02, 0, 0}), OdometryFault::kRestart);
 }
 
 TEST_F(OdometryCheckTest, ARestartNearTheStartIsFoundThoughARobotCouldDriveThatFar) {
-  for (int i = 0; i < 5; ++i) Advance(0.2 * i, {0.1 * i, 0, 0});
-  ExpectNothingKnown(Advance(1.0, {0, 0, 0}), OdometryFault::kRestart);
+  for (int i = 0; i < 5; ++i) Check(0.2 * i, {0.1 * i, 0, 0});
+  ExpectNothingKnown(Check(1.0, {0, 0, 0}), OdometryFault::kRestart);
 }
 
 TEST_F(OdometryCheckTest, DrivingBackToTheStartIsNoRestart) {
@@ -127,34 +127,34 @@ TEST_F(OdometryCheckTest, DrivingBackToTheStartIsNoRestart) {
 }
 
 TEST_F(OdometryCheckTest, TheSameReadingIsSilenceOrAStop) {
-  Advance(0.0, {10, 0, 0});
-  ExpectNothingKnown(Advance(0.2, {10, 0, 0}), OdometryFault::kUnchanged);
+  Check(0.0, {10, 0, 0});
+  ExpectNothingKnown(Check(0.2, {10, 0, 0}), OdometryFault::kUnchanged);
 }
 
 TEST_F(OdometryCheckTest, RepeatedRangesAreAFaultOnlyWhereTheWheelsMoved) {
-  check_.Advance(ScanAt(0.0, {10, 0, 0}, 3.0));
-  EXPECT_EQ(check_.Advance(ScanAt(0.2, {10, 0, 0}, 3.0)).fault, OdometryFault::kUnchanged);
-  EXPECT_EQ(check_.Advance(ScanAt(0.4, {10.0001, 0, 0}, 3.0)).fault, OdometryFault::kNone);
-  const OdometryCheck::Step moved = check_.Advance(ScanAt(0.6, {10.1, 0, 0}, 3.0));
+  check_.Check(ScanAt(0.0, {10, 0, 0}, 3.0));
+  EXPECT_EQ(check_.Check(ScanAt(0.2, {10, 0, 0}, 3.0)).fault, OdometryFault::kUnchanged);
+  EXPECT_EQ(check_.Check(ScanAt(0.4, {10.0001, 0, 0}, 3.0)).fault, OdometryFault::kNone);
+  const OdometryCheck::Step moved = check_.Check(ScanAt(0.6, {10.1, 0, 0}, 3.0));
   EXPECT_EQ(moved.fault, OdometryFault::kRepeatedScan);
   EXPECT_NEAR(moved.motion.x, 0.0999, 1e-12) << "what the wheels say is kept";
-  EXPECT_EQ(check_.Advance(ScanAt(0.8, {10.2, 0, 0}, 3.1)).fault, OdometryFault::kNone);
+  EXPECT_EQ(check_.Check(ScanAt(0.8, {10.2, 0, 0}, 3.1)).fault, OdometryFault::kNone);
 }
 
 TEST_F(OdometryCheckTest, ScansThatHitNothingAreNoRepetition) {
   LaserScan scan = ScanAt(0.0, {10, 0, 0}, 40.0);
   scan.beams[0].status = BeamStatus::kNoReturn;
-  check_.Advance(scan);
+  check_.Check(scan);
   scan.odom_T_robot.x += 0.1;
-  EXPECT_EQ(check_.Advance(scan).fault, OdometryFault::kNone);
+  EXPECT_EQ(check_.Check(scan).fault, OdometryFault::kNone);
 }
 
 TEST_F(OdometryCheckTest, WithoutOdometryAtEitherEndNothingIsKnown) {
   LaserScan scan = ScanAt(0.0, {}, 1.0);
   scan.has_odometry = false;
-  ExpectNothingKnown(check_.Advance(scan), OdometryFault::kMissing);
-  ExpectNothingKnown(check_.Advance(scan), OdometryFault::kMissing);
-  ExpectNothingKnown(Advance(0.4, {10, 0, 0}), OdometryFault::kMissing);
+  ExpectNothingKnown(check_.Check(scan), OdometryFault::kMissing);
+  ExpectNothingKnown(check_.Check(scan), OdometryFault::kMissing);
+  ExpectNothingKnown(Check(0.4, {10, 0, 0}), OdometryFault::kMissing);
   EXPECT_EQ(FaultOf(0.6, {10.1, 0, 0}), OdometryFault::kNone);
 }
 
