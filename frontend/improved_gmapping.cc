@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "frontend/closure_findings.h"
 #include "frontend/scan_density.h"
 #include "frontend/sensor/deskew.h"
 
@@ -219,12 +220,10 @@ void ImprovedGmapping::ReportPieces(const std::vector<bool>& is_drawn) {
   }
 }
 
-void ImprovedGmapping::ReportRejectedClosures() {
-  for (const auto& [i, j, weight] : graph_thread_.rejected_closures()) {
-    health_.Report("backend_rejected_closure", archive_.StampOf(node_scans_[std::max(i, j)]),
-                   "the back end rejects the loop closure between nodes " + std::to_string(i) +
-                       " and " + std::to_string(j) + ": the other edges contradict it");
-  }
+void ImprovedGmapping::ReportClosures(const std::vector<SE2>& world_T_nodes) {
+  const auto stamp_of_node = [this](int node) { return archive_.StampOf(node_scans_[node]); };
+  ReportRejectedClosures(graph_thread_.rejected_closures(), stamp_of_node, &health_);
+  ReportUnprovenClosures(loop_closer_.Unproven(world_T_nodes), stamp_of_node, &health_);
 }
 
 void ImprovedGmapping::EmitPath(backend::PoseGraphSink* sink) const {
@@ -268,7 +267,7 @@ SlamResult ImprovedGmapping::CurrentResult() const {
 SlamResult ImprovedGmapping::FinishEarly() {
   if (const auto optimized = graph_thread_.Finish()) ApplyOptimizedGraph(*optimized);
   ReportPieces(is_drawn_);
-  ReportRejectedClosures();
+  ReportClosures(filter_.PosesOfPath(filter_.BestParticle()));
   return CurrentResult();
 }
 
@@ -292,7 +291,7 @@ SlamResult ImprovedGmapping::Finish() {
   EmitPath(&path);
   SlamResult estimate = final_optimization.Finish(path.graph());
   ReportPieces(pieces.Largest(nodes, loop_closer_.closures()));
-  ReportRejectedClosures();
+  ReportClosures(backend::PosesOf(estimate.graph));
   return estimate;
 }
 

@@ -107,8 +107,8 @@ class ImprovedGmapping {
   void UpdateFilter(const sensor::LaserScan& scan,
                     const std::vector<particle_filter::ParticleFilter::Control>& controls);
   sensor::LaserScan DrawnScanOfNode(int node) const;
-  void ReportRejectedClosures();
   void ReportPieces(const std::vector<bool>& is_drawn);
+  void ReportClosures(const std::vector<backend::SE2>& world_T_nodes);
   bool CloseLoops();
   void StartOptimization();
   void EmitPath(backend::PoseGraphSink* sink) const;

@@ -9,8 +9,9 @@ constexpr backend::EnumName<Verdict> kVerdicts[] = {
     {"no_match", Verdict::kNoMatch},         {"ambiguous", Verdict::kAmbiguous},
     {"unstable", Verdict::kUnstable},        {"overlap", Verdict::kOverlap},
     {"inlier_ratio", Verdict::kInlierRatio}, {"seen_through", Verdict::kSeenThrough},
-    {"mahalanobis", Verdict::kMahalanobis},  {"unconfirmed", Verdict::kUnconfirmed},
-    {"released", Verdict::kReleased},        {"accepted", Verdict::kAccepted}};
+    {"mahalanobis", Verdict::kMahalanobis},  {"rival", Verdict::kRival},
+    {"unconfirmed", Verdict::kUnconfirmed},  {"released", Verdict::kReleased},
+    {"accepted", Verdict::kAccepted}};
 constexpr backend::EnumName<Source> kSources[] = {
     {"near", Source::kNear}, {"place", Source::kPlace}, {"followed", Source::kFollowed}};
 

@@ -18,6 +18,7 @@ enum class Verdict : std::uint8_t {
   kInlierRatio,  // what they saw in common does not look the same
   kSeenThrough,  // the one saw through what stands in the way for the other
   kMahalanobis,  // farther off than the graph's uncertainty allows
+  kRival,        // the map repeats itself by about as much as the estimate would be moved
   kUnconfirmed,  // not enough other closures agree (yet)
   kReleased,     // was accepted, and is not any more
   kAccepted

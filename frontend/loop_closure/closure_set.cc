@@ -18,18 +18,6 @@ double WayBetween(const DrivenPath& path, int a, int b) {
   return std::abs(path.ways_driven_m[a] - path.ways_driven_m[b]);
 }
 
-// Around the loop through both: a's old node -> a's node -> b's node -> b's old node -> a's.
-bool AreConsistent(const DriftModel& drift, double sigmas, const DrivenPath& path,
-                   const ClosureRecord& a, const ClosureRecord& b) {
-  const SE2 around = a.old_T_node *
-                     Between(path.world_T_nodes[a.node], path.world_T_nodes[b.node]) *
-                     Inverse(b.old_T_node) *
-                     Between(path.world_T_nodes[b.old_node], path.world_T_nodes[a.old_node]);
-  const double path_length_m =
-      WayBetween(path, a.node, b.node) + WayBetween(path, a.old_node, b.old_node);
-  return drift.SquaredDistance(around, path_length_m) <= sigmas * sigmas;
-}
-
 // Whether the two closures put the node at different places.
 bool AreElsewhere(const ProofOptions& options, const DrivenPath& path, const ClosureRecord& a,
                   const ClosureRecord& b, int node) {
@@ -96,6 +84,18 @@ bool Agree(const ProofOptions& options, const DriftModel& drift, const DrivenPat
 }
 
 }  // namespace
+
+// Around the loop through both: a's old node -> a's node -> b's node -> b's old node -> a's.
+bool AreConsistent(const DriftModel& drift, double sigmas, const DrivenPath& path,
+                   const ClosureRecord& a, const ClosureRecord& b) {
+  const SE2 around = a.old_T_node *
+                     Between(path.world_T_nodes[a.node], path.world_T_nodes[b.node]) *
+                     Inverse(b.old_T_node) *
+                     Between(path.world_T_nodes[b.old_node], path.world_T_nodes[a.old_node]);
+  const double path_length_m =
+      WayBetween(path, a.node, b.node) + WayBetween(path, a.old_node, b.old_node);
+  return drift.SquaredDistance(around, path_length_m) <= sigmas * sigmas;
+}
 
 double SpanOf(const DrivenPath& path, const std::vector<ClosureRecord>& records,
               const std::vector<std::size_t>& members) {

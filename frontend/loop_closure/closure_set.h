@@ -55,6 +55,10 @@ struct ProofOptions {
   friend bool operator==(const ProofOptions&, const ProofOptions&) = default;
 };
 
+// Whether the loop through both closes within so many standard deviations of the drift on its way.
+bool AreConsistent(const DriftModel& drift, double sigmas, const DrivenPath& path,
+                   const ClosureRecord& a, const ClosureRecord& b);
+
 // Of each set the members out of its largest pairwise consistent subset; empty when they prove
 // nothing: too few of them, over too little driving for how far off they are, or too many
 // contradictions. The driving of other sets that agree adds up: a robot that crosses what it knows

@@ -56,4 +56,11 @@ scan_matching::ScanPoints JoinScans(const std::vector<SE2>& world_T_nodes,
   return joined;
 }
 
+std::vector<Eigen::Vector2d> PositionsOf(const scan_matching::ScanPoints& points) {
+  std::vector<Eigen::Vector2d> positions;
+  positions.reserve(points.size());
+  for (const scan_matching::ScanPoint& point : points) positions.emplace_back(point.x_m, point.y_m);
+  return positions;
+}
+
 }  // namespace gmapping_spa::loop_closure

@@ -117,6 +117,16 @@ int LoopCloser::Review(const std::vector<SE2>& world_T_nodes) {
   return changed;
 }
 
+std::vector<UnprovenClosure> LoopCloser::Unproven(const std::vector<SE2>& estimate) const {
+  const std::vector<double> ways_driven = WaysAcrossPieces(estimate);
+  const std::vector<SE2> world_T_nodes = InSight(estimate);
+  return UnprovenClosures({.apart_m = options_.confirm_beyond_m,
+                           .within_m = options_.confirm_within_m,
+                           .settled_m = options_.global.settled_m,
+                           .proof = options_.global.proof},
+                          options_.drift, {world_T_nodes, ways_driven}, closures_, records_);
+}
+
 int LoopCloser::SearchNear(const std::vector<SE2>& world_T_nodes,
                            const std::vector<double>& ways_driven, const ScanOfNode& scan_of_node,
                            int node) {

@@ -11,6 +11,7 @@
 #include "frontend/loop_closure/global_closing.h"
 #include "frontend/loop_closure/local_map.h"
 #include "frontend/loop_closure/pieces.h"
+#include "frontend/loop_closure/unproven.h"
 #include "frontend/loop_closure/verification.h"
 
 namespace gmapping_spa::loop_closure {
@@ -63,6 +64,9 @@ class LoopCloser {
 
   // The accepted ones, as edges of the graph.
   const std::vector<backend::Edge>& closures() const { return closures_; }
+
+  // What is left undecided, by the poses of the result; see UnprovenClosures.
+  std::vector<UnprovenClosure> Unproven(const std::vector<backend::SE2>& estimate) const;
 
   // Of every candidate that was looked at.
   const std::vector<ClosureRecord>& records() const { return records_; }

@@ -10,13 +10,6 @@ using backend::SE2;
 
 namespace {
 
-std::vector<Eigen::Vector2d> Positions(const scan_matching::ScanPoints& points) {
-  std::vector<Eigen::Vector2d> positions;
-  positions.reserve(points.size());
-  for (const scan_matching::ScanPoint& point : points) positions.emplace_back(point.x_m, point.y_m);
-  return positions;
-}
-
 // Part of the points that end in cells of the map that some beam has met.
 double Overlap(const map::OccupancyGrid& map, const scan_matching::ScanPoints& points,
                const SE2& map_T_scan) {
@@ -103,12 +96,24 @@ Verifier::Verifier(const Options& options, const DriftModel& drift,
     : options_(options),
       drift_(drift),
       candidates_(candidates),
-      gauss_newton_(options.gauss_newton) {}
+      gauss_newton_(options.gauss_newton),
+      rivals_(RivalOptions()) {}
 
 scan_matching::SearchWindow Verifier::WindowOf(double path_length_m) const {
   const double sigmas = candidates_.sigmas;
   return {std::min(sigmas * drift_.LinearSigma(path_length_m), candidates_.max_drift_m),
           std::min(sigmas * drift_.AngularSigma(path_length_m), options_.max_turn_rad)};
+}
+
+RivalSearch::Options Verifier::RivalOptions() const {
+  return {.old_reach_m = options_.old_reach_m,
+          .new_reach_m = options_.new_reach_m,
+          .cell_m = options_.cell_m,
+          .min_way_m = candidates_.min_path_length_m,
+          .elsewhere_m = kElsewhere_m,
+          .max_reach_m = candidates_.max_drift_m,
+          .max_runner_up_score = options_.max_runner_up_score,
+          .search = options_.search};
 }
 
 // A small window needs no high pyramid. The covariance is that of fine alignment, later.
@@ -132,16 +137,17 @@ ClosureRecord Verifier::Verify(const std::vector<SE2>& world_T_nodes,
   if (record.verdict != Verdict::kUnconfirmed) return record;
   if (record.mahalanobis_sq > options_.max_mahalanobis_sq) {
     record.verdict = Verdict::kMahalanobis;
-  } else if (FitsAtEstimate(world_T_nodes, scan_of_node, expectation.old_T_node, record)) {
+  } else if (MayBeChance(world_T_nodes, scan_of_node, expectation.old_T_node, record)) {
     record.verdict = Verdict::kAmbiguous;
   } else if (expectation.window.linear_m > kSmallWindow_m) {
     AskOldScans(world_T_nodes, scan_of_node, expectation, &record);
   }
+  LookForRivals(world_T_nodes, scan_of_node, &record);
   return record;
 }
 
-bool Verifier::FitsAtEstimate(const std::vector<SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
-                              const SE2& estimated_old_T_node, const ClosureRecord& record) const {
+bool Verifier::MayBeChance(const std::vector<SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
+                           const SE2& estimated_old_T_node, const ClosureRecord& record) const {
   const auto moves = [](const SE2& from, const SE2& to) {
     return Between(from, to).translation().norm();
   };
@@ -150,6 +156,7 @@ bool Verifier::FitsAtEstimate(const std::vector<SE2>& world_T_nodes, const ScanO
   const NodeRange new_nodes = NodesAround(world_T_nodes, record.node, options_.new_reach_m);
   const scan_matching::ScanPoints points =
       JoinScans(world_T_nodes, scan_of_node, new_nodes, record.node, options_.cell_m);
+  if (static_cast<double>(points.size()) * options_.cell_m < options_.min_outline_m) return true;
   const map::OccupancyGrid map =
       BuildLocalMap(world_T_nodes, scan_of_node, old_nodes, record.old_node, options_.grid);
   const SE2 near =
@@ -171,7 +178,16 @@ ClosureRecord Verifier::VerifyAt(const std::vector<SE2>& world_T_nodes,
   ClosureRecord record = Compare(world_T_nodes, scan_of_node, node, candidate, expectation);
   if (record.verdict != Verdict::kUnconfirmed && record.verdict != Verdict::kOverlap) return record;
   AskOldScans(world_T_nodes, scan_of_node, expectation, &record);
+  LookForRivals(world_T_nodes, scan_of_node, &record);
   return record;
+}
+
+void Verifier::LookForRivals(const std::vector<SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
+                             ClosureRecord* record) const {
+  if (record->verdict == Verdict::kUnconfirmed &&
+      rivals_.HasRival(world_T_nodes, scan_of_node, *record)) {
+    record->verdict = Verdict::kRival;
+  }
 }
 
 void Verifier::AskOldScans(const std::vector<SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
@@ -224,8 +240,8 @@ ClosureRecord Verifier::Compare(const std::vector<SE2>& world_T_nodes,
 
   const scan_matching::CorrelativeMatcher search(
       SearchOptions(window),
-      Positions(JoinScans(world_T_nodes, scan_of_node, old_nodes, old, options_.cell_m)));
-  const std::vector<Eigen::Vector2d> positions = Positions(points);
+      PositionsOf(JoinScans(world_T_nodes, scan_of_node, old_nodes, old, options_.cell_m)));
+  const std::vector<Eigen::Vector2d> positions = PositionsOf(points);
   scan_matching::CorrelativeMatch coarse = search.Match(positions, expected, window);
   if (!coarse.found) return decided(Verdict::kNoMatch);
   if (IsAtBorder(window, expected, coarse.map_T_scan)) {

@@ -9,6 +9,7 @@
 #include "frontend/loop_closure/closure_record.h"
 #include "frontend/loop_closure/drift.h"
 #include "frontend/loop_closure/local_map.h"
+#include "frontend/loop_closure/rival_search.h"
 #include "frontend/scan_matching/correlative_matching.h"
 #include "frontend/scan_matching/gauss_newton.h"
 
@@ -30,7 +31,10 @@ class Verifier {
     double cell_m = 0.1;               // at most one end point in each
     double max_turn_rad = 0.4;         // the search goes no farther
     double max_runner_up_score = 0.9;  // part of the best score
-    double max_shift_m = 0.15;         // by which fine alignment may move the peak
+    // Of walls and the like in the scans around the node, to move an estimate: two trees fit two
+    // others. On recorded logs closures have 30 m and more.
+    double min_outline_m = 10.0;
+    double max_shift_m = 0.15;  // by which fine alignment may move the peak
     double max_shift_rad = 0.05;
     // At the pose expected, unless the window is large; and at the one found.
     double min_expected_overlap = 0.4;
@@ -73,12 +77,14 @@ class Verifier {
   // verdict.
   void AskOldScans(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
                    const Expectation& expectation, ClosureRecord* record) const;
-  // Whether the scans around the node fit the old map about as well where the estimate has them as
-  // where the closure has them, elsewhere: then the building repeats itself, and nothing says that
-  // the estimate is wrong.
-  bool FitsAtEstimate(const std::vector<backend::SE2>& world_T_nodes,
-                      const ScanOfNode& scan_of_node, const backend::SE2& estimated_old_T_node,
-                      const ClosureRecord& record) const;
+  // Whether a closure that has the node elsewhere than the estimate may do so by chance: too little
+  // is in sight, or the scans around the node fit the old map about as well where the estimate has
+  // them. Then the building repeats itself, and nothing says that the estimate is wrong.
+  bool MayBeChance(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
+                   const backend::SE2& estimated_old_T_node, const ClosureRecord& record) const;
+  void LookForRivals(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
+                     ClosureRecord* record) const;
+  RivalSearch::Options RivalOptions() const;
   scan_matching::CorrelativeMatcher::Options SearchOptions(
       const scan_matching::SearchWindow& window) const;
 
@@ -86,6 +92,7 @@ class Verifier {
   DriftModel drift_;
   CandidateOptions candidates_;
   scan_matching::GaussNewton gauss_newton_;
+  RivalSearch rivals_;
 };
 
 }  // namespace gmapping_spa::loop_closure

@@ -59,6 +59,7 @@ INSTANTIATE_TEST_SUITE_P(All, Worlds,
                                          Tour{"pillared_gallery", "pillared_gallery", 238.0},
                                          Tour{"twin_corridors", "twin_corridors", 231.0},
                                          Tour{"campus", "campus", 1550.0},
+                                         Tour{"warehouse", "warehouse", 306.0},
                                          Tour{"paper_building", "paper_building.carried", 122.0}));
 
 TEST(TwinCorridors, AreTheSameWhenTurnedAboutTheirMiddle) {
@@ -78,6 +79,16 @@ TEST(PillaredGallery, LooksTheSameFromOnePillarToTheNext) {
   for (double angle_rad = -std::numbers::pi; angle_rad < std::numbers::pi; angle_rad += 0.01) {
     const auto here = world.CastRay({15.0, 2.5}, angle_rad, 5.6);
     const auto there = world.CastRay({15.8, 2.5}, angle_rad, 5.6);
+    ASSERT_EQ(here.has_value(), there.has_value()) << angle_rad;
+    EXPECT_NEAR(here.value_or(0.0), there.value_or(0.0), 1e-6);
+  }
+}
+
+TEST(Warehouse, LooksTheSameFromOneAisleToTheNext) {
+  const World world = Read("warehouse");
+  for (double angle_rad = -std::numbers::pi; angle_rad < std::numbers::pi; angle_rad += 0.01) {
+    const auto here = world.CastRay({6.0, 14.0}, angle_rad, 8.0);
+    const auto there = world.CastRay({9.0, 14.0}, angle_rad, 8.0);
     ASSERT_EQ(here.has_value(), there.has_value()) << angle_rad;
     EXPECT_NEAR(here.value_or(0.0), there.value_or(0.0), 1e-6);
   }

@@ -16,6 +16,7 @@ TEST(VerdictName, IsWhatTheFilesSay) {
   EXPECT_STREQ(VerdictName(Verdict::kInlierRatio), "inlier_ratio");
   EXPECT_STREQ(VerdictName(Verdict::kSeenThrough), "seen_through");
   EXPECT_STREQ(VerdictName(Verdict::kMahalanobis), "mahalanobis");
+  EXPECT_STREQ(VerdictName(Verdict::kRival), "rival");
   EXPECT_STREQ(VerdictName(Verdict::kUnconfirmed), "unconfirmed");
   EXPECT_STREQ(VerdictName(Verdict::kReleased), "released");
   EXPECT_STREQ(VerdictName(Verdict::kAccepted), "accepted");

@@ -70,6 +70,16 @@ TEST(GlobalCloser, AWayBackTooShortProvesNothing) {
   EXPECT_TRUE(HasRecognized(closer));
 }
 
+TEST(GlobalCloser, AWayBackTooShortIsSaidToBeUnproven) {
+  const FarDrive drive(700.0, synthetic::Ring(), 14.0, {15.0, 0.0, 0.1});
+  const LoopCloser closer = CloseLoops(drive);
+  EXPECT_TRUE(closer.closures().empty());
+  const std::vector<UnprovenClosure> unproven = closer.Unproven(drive.estimate);
+  ASSERT_FALSE(unproven.empty());
+  EXPECT_GE(unproven.front().node, drive.first_node_back);
+  EXPECT_NEAR(unproven.front().moved_m, 15.0, 2.0);
+}
+
 TEST(GlobalCloser, ATwinThatDriftDoesNotExplainIsNotTakenForTheSame) {
   // All of the way back looks the same: only the odometry knows that it was elsewhere.
   const FarDrive drive(100.0, synthetic::Ring(), 40.0, kFarOff);

@@ -5,8 +5,10 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include "tests/frontend/loop_closure/aisles.h"
 #include "tests/frontend/loop_closure/loop_world.h"
 
 namespace gmapping_spa::loop_closure {
@@ -176,6 +178,20 @@ TEST_F(Verification, WhereTheBuildingRepeatsItselfAnEstimateThatFitsIsNotMoved) 
   // An estimate that fits nowhere is no argument against a place that does.
   Drive(first, second, {1.2, 0.9, 0.0}, pillars, all_round);
   EXPECT_EQ(Verify(5, 11 + 5, 300.0, options).verdict, Verdict::kUnconfirmed);
+}
+
+// The estimate has the second pass in an aisle that was not seen before, where nothing speaks for
+// it.
+TEST_F(Verification, AnAisleOffIsNotBelievedWhereTheNextLooksAlike) {
+  std::vector<SE2> first = synthetic::DriveAisle(0, true);
+  for (const SE2& pose : synthetic::DriveAisle(1, false)) first.push_back(pose);
+  const std::vector<SE2> second = synthetic::DriveAisle(2, true);
+  const synthetic::Laser all_round{
+      .beams = 361, .field_of_view_rad = 2 * std::numbers::pi, .usable_range_m = 6.0};
+  Drive(first, second, {}, synthetic::Racks(0, 3), all_round);
+  EXPECT_EQ(Verify(21 + 10, 42 + 10, 200.0).verdict, Verdict::kRival);
+  Drive(first, second, {}, synthetic::Racks(1, 3), all_round);
+  EXPECT_EQ(Verify(21 + 10, 42 + 10, 200.0).verdict, Verdict::kUnconfirmed);
 }
 
 TEST_F(Verification, RefusesAnotherPlaceThatIsTakenForTheOldOne) {
