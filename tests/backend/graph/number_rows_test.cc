@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace gmapping_spa::backend {
+namespace gmapping_spa::backend::number_rows_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -83,4 +83,4 @@ TEST(NumberRows, AStreamThatBreaksIsAnError) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::backend
+}  // namespace gmapping_spa::backend::number_rows_test

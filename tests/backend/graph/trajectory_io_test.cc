@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace gmapping_spa::backend {
+namespace gmapping_spa::backend::trajectory_io_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -128,4 +128,4 @@ TEST(TrajectoryIo, DoesNotWriteWhatItWouldNotRead) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::backend
+}  // namespace gmapping_spa::backend::trajectory_io_test

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace gmapping_spa::backend {
+namespace gmapping_spa::backend::settings_test {
 namespace {
 
 constexpr SettingDescription kDescriptions[] = {
@@ -68,4 +68,4 @@ TEST(Settings, TakesItForAnErrorOfTheProgrammerToReadWhatIsNotDescribed) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::backend
+}  // namespace gmapping_spa::backend::settings_test

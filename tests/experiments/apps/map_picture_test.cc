@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace gmapping_spa::apps {
+namespace gmapping_spa::apps::map_picture_test {
 namespace {
 
 using backend::Trajectory;
@@ -150,4 +150,4 @@ TEST(MapPicture, NoticesAFullDevice) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::apps
+}  // namespace gmapping_spa::apps::map_picture_test

@@ -12,7 +12,7 @@
 #include "experiments/apps/input_file.h"
 #include "tests/real_data.h"
 
-namespace gmapping_spa::metrics {
+namespace gmapping_spa::metrics::relations_test {
 namespace {
 
 using backend::SE2;
@@ -154,4 +154,4 @@ INSTANTIATE_TEST_SUITE_P(Benchmark, RawOdometryTest,
                          [](const auto& known) { return known.param.name; });
 
 }  // namespace
-}  // namespace gmapping_spa::metrics
+}  // namespace gmapping_spa::metrics::relations_test

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-namespace gmapping_spa::simulation {
+namespace gmapping_spa::simulation::lidar_test {
 namespace {
 
 using map::CellState;
@@ -194,4 +194,4 @@ TEST(Lidar, ScansDifferByNumberAndSeedOnly) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::simulation
+}  // namespace gmapping_spa::simulation::lidar_test

@@ -9,7 +9,7 @@
 
 #include "tests/frontend/loop_closure/loop_world.h"
 
-namespace gmapping_spa::loop_closure {
+namespace gmapping_spa::loop_closure::verification_test {
 namespace {
 
 using backend::SE2;
@@ -205,4 +205,4 @@ TEST_F(Verification, RefusesBlindScans) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::loop_closure
+}  // namespace gmapping_spa::loop_closure::verification_test
