@@ -4,7 +4,7 @@
 #   tests/check_tidy.sh --since COMMIT   sources that differ from that commit
 #   tests/check_tidy.sh --all            every source but the tests
 #   tests/check_tidy.sh FILE...          these
-# Needs compile_commands.json of the release preset, which a configured build folder has.
+# By the compile commands of the preset dev, which compiles every source by itself.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -18,7 +18,7 @@ if [[ ${#files[@]} -eq 0 ]]; then
   echo "check_tidy.sh: no source to check"
   exit 0
 fi
-[[ -f build/compile_commands.json ]] || cmake --preset release >/dev/null
+[[ -f build-dev/compile_commands.json ]] || cmake --preset dev >/dev/null
 # stderr only counts what clang-tidy suppressed in headers of others; findings are on stdout.
-printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$(nproc)" clang-tidy -p build --quiet 2>/dev/null
+printf '%s\0' "${files[@]}" | xargs -0 -n 1 -P "$(nproc)" clang-tidy -p build-dev --quiet 2>/dev/null
 echo "check_tidy.sh: ${#files[@]} sources without findings"

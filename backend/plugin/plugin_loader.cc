@@ -113,7 +113,7 @@ std::vector<std::string> PluginSearchPath() {
         (executable.parent_path().parent_path() / GMAPPING_SPA_PLUGIN_FOLDER).string());
   }
   for (std::string& folder : PluginFoldersOfLibraryPath()) folders.push_back(std::move(folder));
-  folders.push_back(GMAPPING_SPA_INSTALLED_PLUGIN_FOLDER);
+  folders.emplace_back(GMAPPING_SPA_INSTALLED_PLUGIN_FOLDER);
   return folders;
 }
 

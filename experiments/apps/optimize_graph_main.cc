@@ -160,7 +160,7 @@ void Run() {
 
 FlagGroups AllFlagGroups() {
   const FlagGroups output = {
-      {"output", "Input and output", {"input", "output", "png", "verbose", "list_backends"}}};
+      {"output", "Input and output", {"input", "output", "png", "strict", "verbose", "list_backends"}}};
   return Join({output, BackendFlagGroups()});
 }
 

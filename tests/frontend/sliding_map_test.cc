@@ -10,7 +10,7 @@
 #include "frontend/scan_matching/scan_points.h"
 #include "tests/frontend/synthetic_room.h"
 
-namespace gmapping_spa::frontend {
+namespace gmapping_spa::frontend::sliding_map_test {
 namespace {
 
 using backend::SE2;
@@ -122,4 +122,4 @@ TEST(SlidingMap, SearchFollowsTheRobot) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::frontend
+}  // namespace gmapping_spa::frontend::sliding_map_test

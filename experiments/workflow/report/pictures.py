@@ -76,9 +76,14 @@ def map_png(cells):
 
 def error_png(file):
     """evaluate_map's picture of errors without the legend below it, which would be too small."""
-    pixels = numpy.asarray(Image.open(file).convert("RGB"))[:-ERROR_LEGEND_HEIGHT].astype(int)
-    distances = [numpy.abs(pixels - color).sum(axis=2) for color in ERROR_COLORS]
-    return indexed_png(numpy.argmin(distances, axis=0), ERROR_COLORS)
+    pixels = numpy.asarray(Image.open(file).convert("RGB"))[:-ERROR_LEGEND_HEIGHT]
+    # Millions of pixels have few colors.
+    packed = pixels.astype(numpy.uint32) @ numpy.array([1 << 16, 1 << 8, 1], numpy.uint32)
+    found, index = numpy.unique(packed, return_inverse=True)
+    channels = (found[:, None] >> numpy.array([16, 8, 0], numpy.uint32) & 255).astype(int)
+    distances = [numpy.abs(channels - color).sum(axis=1) for color in ERROR_COLORS]
+    nearest = numpy.argmin(distances, axis=0)
+    return indexed_png(nearest[index].reshape(packed.shape), ERROR_COLORS)
 
 
 def indexed_png(indices, colors):

@@ -9,7 +9,7 @@
 #include "backend/cost/graph_cost.h"
 #include "tests/message_of.h"
 
-namespace gmapping_spa::backend {
+namespace gmapping_spa::backend::g2o_reader_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -139,4 +139,4 @@ TEST(G2oReader, ReadsIdsOf63Bits) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::backend
+}  // namespace gmapping_spa::backend::g2o_reader_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace gmapping_spa::backend {
+namespace gmapping_spa::backend::initial_guess_test {
 namespace {
 
 // A chain 0 - 1 - 2 - 3 of unit steps and a loop closure 0 -> 3 that says something else; node 9 is
@@ -45,4 +45,4 @@ TEST(InitializeFromOdometry, LeavesComponentsWhereTheirHeldNodesAre) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::backend
+}  // namespace gmapping_spa::backend::initial_guess_test

@@ -8,7 +8,7 @@
 
 #include "tests/message_of.h"
 
-namespace gmapping_spa::backend {
+namespace gmapping_spa::backend::number_rows_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -82,4 +82,4 @@ TEST(NumberRows, AStreamThatBreaksIsAnError) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::backend
+}  // namespace gmapping_spa::backend::number_rows_test

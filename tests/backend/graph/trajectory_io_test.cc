@@ -11,7 +11,7 @@
 
 #include "tests/message_of.h"
 
-namespace gmapping_spa::backend {
+namespace gmapping_spa::backend::trajectory_io_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -125,4 +125,4 @@ TEST(TrajectoryIo, DoesNotWriteWhatItWouldNotRead) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::backend
+}  // namespace gmapping_spa::backend::trajectory_io_test

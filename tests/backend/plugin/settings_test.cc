@@ -7,7 +7,7 @@
 
 #include "tests/message_of.h"
 
-namespace gmapping_spa::backend {
+namespace gmapping_spa::backend::settings_test {
 namespace {
 
 constexpr SettingDescription kDescriptions[] = {
@@ -65,4 +65,4 @@ TEST(Settings, TakesItForAnErrorOfTheProgrammerToReadWhatIsNotDescribed) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::backend
+}  // namespace gmapping_spa::backend::settings_test

@@ -10,7 +10,7 @@
 #include "tests/backend/outlier_graph.h"
 #include "tests/built_back_ends.h"
 
-namespace gmapping_spa::backend {
+namespace gmapping_spa::backend::graduated_non_convexity_test {
 namespace {
 
 constexpr RandomGraphOptions kGoodGraph = {
@@ -55,4 +55,4 @@ TEST(OptimizeGradually, NeedsTheTruncatedLoss) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::backend
+}  // namespace gmapping_spa::backend::graduated_non_convexity_test

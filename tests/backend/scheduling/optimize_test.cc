@@ -8,7 +8,7 @@
 #include "backend/plugin/plugin_loader.h"
 #include "tests/backend/outlier_graph.h"
 
-namespace gmapping_spa::backend {
+namespace gmapping_spa::backend::optimize_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -67,4 +67,4 @@ TEST(CheckOptions, OfAMixtureNeedsDcs) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::backend
+}  // namespace gmapping_spa::backend::optimize_test

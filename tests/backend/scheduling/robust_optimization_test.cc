@@ -8,7 +8,7 @@
 #include "tests/backend/outlier_graph.h"
 #include "tests/built_back_ends.h"
 
-namespace gmapping_spa::backend {
+namespace gmapping_spa::backend::robust_optimization_test {
 namespace {
 
 // Information matrices are about 100 to 1000: noise of 0.03 is what they promise.
@@ -77,4 +77,4 @@ TEST(OptimizeRobustly, FailsWithTheGivenPosesWhenTheOptimizerDoes) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::backend
+}  // namespace gmapping_spa::backend::robust_optimization_test

@@ -13,7 +13,7 @@
 #include "tests/run_command.h"
 #include "tests/temporary_folder.h"
 
-namespace gmapping_spa::apps {
+namespace gmapping_spa::apps::evaluate_map_test {
 namespace {
 
 using map::CellState;
@@ -211,4 +211,4 @@ TEST_F(EvaluateMapApp, BadFlagsAreOneLine) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::apps
+}  // namespace gmapping_spa::apps::evaluate_map_test

@@ -14,12 +14,6 @@ TEST_F(GmappingSpaTour, SecondRunGivesTheSameBytes) {
   ExpectSameResult(Result(), folder_.path());
 }
 
-TEST_F(GmappingSpaTour, ThreadsDoNotChangeTheResult) {
-  Run(folder_.path(), {"--threads=2"});
-  ExpectSameResult(Result(), folder_.path());
-  EXPECT_EQ(ReadRunRecord(folder_.path())["resources"]["threads"], 2);
-}
-
 TEST_F(GmappingSpaTour, FlagFilesRunAndRepeat) {
   for (const std::string name : {"gmapping", "gmapping_plus", "paper", "paper_plus"}) {
     const std::string flag_file = "--flagfile=" FLAGS_FOLDER "/" + name + ".flags";
@@ -72,15 +66,6 @@ TEST_F(GmappingSpaTour, TrajectoryIsFarNearerToTheTruthThanDeadReckoning) {
   constexpr double kBoundM = 0.05;
   EXPECT_LT(ErrorM(Result()), kBoundM);
   EXPECT_GT(ErrorM(folder_.path()), 3.0 * kBoundM);
-}
-
-TEST_F(GmappingSpaTour, ResultsOfTheBackEndComeWhenTheFlagSays) {
-  for (const std::string mode : {"async", "inline"}) {
-    const std::string output_dir = folder_.Path(mode);
-    Run(output_dir, {"--graph_thread=" + mode});
-    EXPECT_LT(ErrorM(output_dir), 0.05) << mode;
-    EXPECT_EQ(ReadRunRecord(output_dir)["flags"]["graph_thread"], mode);
-  }
 }
 
 TEST_F(GmappingSpaTour, ABackEndThatRunsOutOfTimeIsInTheHealthOfTheRun) {

@@ -11,7 +11,7 @@
 
 #include "tests/experiments/apps/picture.h"
 
-namespace gmapping_spa::apps {
+namespace gmapping_spa::apps::inspection_picture_test {
 namespace {
 
 constexpr std::uint32_t kWhite = 0xffffff, kRed = 0xd91919, kBlue = 0x1940d9, kGreen = 0x008c8c,
@@ -79,4 +79,4 @@ TEST(InspectionPicture, SaysWhichFileCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::apps
+}  // namespace gmapping_spa::apps::inspection_picture_test

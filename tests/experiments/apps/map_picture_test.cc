@@ -10,7 +10,7 @@
 
 #include "tests/experiments/apps/picture.h"
 
-namespace gmapping_spa::apps {
+namespace gmapping_spa::apps::map_picture_test {
 namespace {
 
 using backend::Trajectory;
@@ -135,4 +135,4 @@ TEST(MapPicture, NoticesAFullDevice) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::apps
+}  // namespace gmapping_spa::apps::map_picture_test

@@ -9,7 +9,7 @@
 #include "experiments/metrics/map_cells.h"
 #include "tests/experiments/metrics/hand_made_map.h"
 
-namespace gmapping_spa::metrics {
+namespace gmapping_spa::metrics::map_error_test {
 namespace {
 
 using map::CellState;
@@ -245,4 +245,4 @@ TEST(MapError, AllowsDifferentResolutions) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::metrics
+}  // namespace gmapping_spa::metrics::map_error_test

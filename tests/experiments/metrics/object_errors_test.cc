@@ -6,7 +6,7 @@
 
 #include "tests/experiments/metrics/hand_made_building.h"
 
-namespace gmapping_spa::metrics {
+namespace gmapping_spa::metrics::object_errors_test {
 namespace {
 
 using map::CellState;
@@ -83,4 +83,4 @@ TEST(ObjectErrors, ObjectsMustStandInTheTruth) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::metrics
+}  // namespace gmapping_spa::metrics::object_errors_test

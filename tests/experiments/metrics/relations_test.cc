@@ -13,7 +13,7 @@
 #include "tests/message_of.h"
 #include "tests/real_data.h"
 
-namespace gmapping_spa::metrics {
+namespace gmapping_spa::metrics::relations_test {
 namespace {
 
 using backend::SE2;
@@ -150,4 +150,4 @@ INSTANTIATE_TEST_SUITE_P(Benchmark, RawOdometryTest,
                          [](const auto& known) { return known.param.name; });
 
 }  // namespace
-}  // namespace gmapping_spa::metrics
+}  // namespace gmapping_spa::metrics::relations_test

@@ -9,7 +9,7 @@
 
 #include "tests/experiments/metrics/hand_made_map.h"
 
-namespace gmapping_spa::metrics {
+namespace gmapping_spa::metrics::true_surface_test {
 namespace {
 
 using map::CellState;
@@ -108,4 +108,4 @@ TEST(TrueSurface, OfASlantedWallHasTheNormalOfTheWall) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::metrics
+}  // namespace gmapping_spa::metrics::true_surface_test

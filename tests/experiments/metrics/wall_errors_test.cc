@@ -4,7 +4,7 @@
 
 #include "tests/experiments/metrics/hand_made_building.h"
 
-namespace gmapping_spa::metrics {
+namespace gmapping_spa::metrics::wall_errors_test {
 namespace {
 
 using map::TrinaryMap;
@@ -103,4 +103,4 @@ TEST(WallErrors, OfAnEmptyMapAreAllMissing) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::metrics
+}  // namespace gmapping_spa::metrics::wall_errors_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace gmapping_spa::simulation {
+namespace gmapping_spa::simulation::crowd_test {
 namespace {
 
 using map::CellState;
@@ -81,4 +81,4 @@ TEST(Crowd, DependsOnTheSeedAlone) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::simulation
+}  // namespace gmapping_spa::simulation::crowd_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace gmapping_spa::simulation {
+namespace gmapping_spa::simulation::differential_drive_test {
 namespace {
 
 constexpr double kWheelBaseM = 0.4;
@@ -52,4 +52,4 @@ TEST(DifferentialDrive, WheelAndBodyVelocitiesAreInverse) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::simulation
+}  // namespace gmapping_spa::simulation::differential_drive_test

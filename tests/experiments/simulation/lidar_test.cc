@@ -10,7 +10,7 @@
 
 #include "tests/experiments/simulation/room.h"
 
-namespace gmapping_spa::simulation {
+namespace gmapping_spa::simulation::lidar_test {
 namespace {
 
 using testing::DoubleNear;
@@ -185,4 +185,4 @@ TEST(Lidar, ScansDifferByNumberAndSeedOnly) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::simulation
+}  // namespace gmapping_spa::simulation::lidar_test

@@ -13,7 +13,7 @@
 #include "experiments/simulation/simulation.h"
 #include "experiments/simulation/truth_map.h"
 
-namespace gmapping_spa::simulation {
+namespace gmapping_spa::simulation::paper_building_test {
 namespace {
 
 using map::CellState;
@@ -151,4 +151,4 @@ INSTANTIATE_TEST_SUITE_P(Limits, PaperObstacles,
                          });
 
 }  // namespace
-}  // namespace gmapping_spa::simulation
+}  // namespace gmapping_spa::simulation::paper_building_test

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace gmapping_spa::simulation {
+namespace gmapping_spa::simulation::scene_test {
 namespace {
 
 using testing::HasSubstr;
@@ -86,4 +86,4 @@ TEST(Scene, WithoutObstaclesNobodyCanWalk) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::simulation
+}  // namespace gmapping_spa::simulation::scene_test

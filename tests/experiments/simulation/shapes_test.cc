@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-namespace gmapping_spa::simulation {
+namespace gmapping_spa::simulation::shapes_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -74,4 +74,4 @@ TEST(Disc, ContainsWhatIsNoFartherThanItsRadius) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::simulation
+}  // namespace gmapping_spa::simulation::shapes_test

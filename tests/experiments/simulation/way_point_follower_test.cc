@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace gmapping_spa::simulation {
+namespace gmapping_spa::simulation::way_point_follower_test {
 namespace {
 
 using testing::HasSubstr;
@@ -149,4 +149,4 @@ TEST(ReadTours, ReadsWhereTheRobotIsCarriedTo) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::simulation
+}  // namespace gmapping_spa::simulation::way_point_follower_test

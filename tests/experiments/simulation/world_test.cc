@@ -15,7 +15,7 @@
 
 #include "backend/counter_random.h"
 
-namespace gmapping_spa::simulation {
+namespace gmapping_spa::simulation::world_test {
 namespace {
 
 using map::CellState;
@@ -194,4 +194,4 @@ TEST(World, BadFilesAreNamedByLine) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::simulation
+}  // namespace gmapping_spa::simulation::world_test

@@ -149,3 +149,19 @@ class ResultsTestCase(unittest.TestCase):
 
     def measured(self):
         return measure(self.results.study, self.results.work)
+
+
+class SharedResultsTestCase(unittest.TestCase):
+    """Results that no test of the class changes; `spoil` does before they are reported, once."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.results = Results(folder.name)
+        cls.spoil()
+        cls.page = cls.results.page()
+
+    @classmethod
+    def spoil(cls):
+        pass

@@ -6,47 +6,46 @@ import report_fixture
 import report_verdicts_test
 
 
-class MakeReportTest(report_fixture.ResultsTestCase):
-    def outputs(self, folder):
-        root = self.results.folder / folder
-        return {str(file.relative_to(root)): file.read_bytes()
-                for file in root.glob("**/*") if file.is_file()}
+def outputs(results, folder):
+    root = results.folder / folder
+    return {str(file.relative_to(root)): file.read_bytes()
+            for file in root.glob("**/*") if file.is_file()}
 
+
+class ReportOfGoodResultsTest(report_fixture.SharedResultsTestCase):
     def test_writes_one_page_every_figure_and_every_table_twice(self):
-        self.results.page()
         figures = [f"figures/few_particles_two_by_two{kind}.png" for kind in ("", "_error_maps")]
         tables = [f"tables/few_particles_{table}.{ending}" for ending in ("csv", "md")
                   for table in ("overview", "configurations", "comparisons", "runs", "cost",
                                 "cost_comparisons", "run_costs")]
-        self.assertEqual(sorted(self.outputs("report")),
+        self.assertEqual(sorted(outputs(self.results, "report")),
                          sorted(["index.html", *figures, *tables]))
 
     def test_same_results_same_bytes(self):
-        for output in ("first", "second"):
-            self.assertEqual(self.results.report(output=output).returncode, 0)
-        self.assertEqual(self.outputs("first"), self.outputs("second"))
+        self.assertEqual(self.results.report(output="again").returncode, 0)
+        self.assertEqual(outputs(self.results, "report"), outputs(self.results, "again"))
 
     def test_page_refers_to_nothing_outside_of_it(self):
-        page = self.results.page()
-        for reference in re.findall(r"(?:src|href)=\"([^\"]*)\"", page):
+        for reference in re.findall(r"(?:src|href)=\"([^\"]*)\"", self.page):
             self.assertRegex(reference, "^(data:|#)")
-        self.assertNotRegex(page, r"@import|url\(|<script src|<link rel=\"stylesheet\"")
+        self.assertNotRegex(self.page, r"@import|url\(|<script src|<link rel=\"stylesheet\"")
 
     def test_every_command_line_is_on_the_page(self):
-        page = self.results.page()
         for run in self.results.study.runs:
-            self.assertIn(f"--output_dir=$W/runs/{run.id}", page)
+            self.assertIn(f"--output_dir=$W/runs/{run.id}", self.page)
 
     def test_every_picture_says_what_it_shows(self):
-        pictures = re.findall(r"<img [^>]*>", self.results.page())
+        pictures = re.findall(r"<img [^>]*>", self.page)
         # A plot, and 2 x 2 maps with their error maps.
         self.assertEqual(len(pictures), 9)
         for picture in pictures:
             self.assertRegex(picture, r'alt="[^"]{10,}"')
 
     def test_no_warning_where_all_is_well(self):
-        self.assertNotIn('class="warning"', self.results.page())
+        self.assertNotIn('class="warning"', self.page)
 
+
+class MakeReportTest(report_fixture.ResultsTestCase):
     def test_warns_of_failed_and_missing_runs(self):
         self.results.fail(self.results.run("improved", 5, 1))
         self.results.remove(self.results.run("GMapping", 5, 1))
@@ -80,7 +79,7 @@ class MakeReportTest(report_fixture.ResultsTestCase):
         (self.results.folder / "claims.yaml").write_text(report_verdicts_test.CLAIMS)
         page = self.results.page()
         self.assertIn('<span class="verdict supported">supported</span>', page)
-        self.assertIn("tables/claims.csv", self.outputs("report"))
+        self.assertIn("tables/claims.csv", outputs(self.results, "report"))
 
     def test_text_of_a_study_is_text_and_no_html(self):
         self.results.study_file.write_text(

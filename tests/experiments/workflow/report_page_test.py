@@ -3,6 +3,7 @@
 import json
 import shutil
 import subprocess
+import tempfile
 import unittest
 import urllib.request
 
@@ -63,16 +64,19 @@ class Browser:
 
 
 @unittest.skipIf(MISSING, f"no {' and no '.join(MISSING)}")
-class PageTest(report_fixture.ResultsTestCase):
+class PageTest(report_fixture.SharedResultsTestCase):
+    @classmethod
+    def spoil(cls):
+        (cls.results.folder / "claims.yaml").write_text(report_verdicts_test.CLAIMS)
+        cls.results.fail(cls.results.run("improved", 5, 2))
+
     def setUp(self):
-        super().setUp()
-        (self.results.folder / "claims.yaml").write_text(report_verdicts_test.CLAIMS)
-        self.results.fail(self.results.run("improved", 5, 2))
-        self.results.page()
-        self.browser = Browser(self.results.folder / "profile")
+        profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        self.addCleanup(profile.cleanup)
+        self.browser = Browser(profile.name)
         self.addCleanup(self.browser.close)
-        self.page = (self.results.folder / "report" / "index.html").as_uri()
-        self.browser.call("/url", {"url": self.page})
+        self.url = (self.results.folder / "report" / "index.html").as_uri()
+        self.browser.call("/url", {"url": self.url})
 
     def column(self, table, column):
         return self.browser.run(
@@ -83,8 +87,8 @@ class PageTest(report_fixture.ResultsTestCase):
         self.browser.click("details summary")
         self.assertEqual(self.browser.log("browser"), [])
         requested = self.requested()
-        self.assertIn(self.page, requested)
-        self.assertEqual([u for u in requested if not u.startswith("data:") and u != self.page], [])
+        self.assertIn(self.url, requested)
+        self.assertEqual([u for u in requested if not u.startswith("data:") and u != self.url], [])
 
     def requested(self):
         """What the page asked for; the browser's own first tab asks too."""
@@ -92,7 +96,7 @@ class PageTest(report_fixture.ResultsTestCase):
                   for entry in self.browser.log("performance")]
         return [event["params"]["request"]["url"] for event in events
                 if event["method"] == "Network.requestWillBeSent"
-                and event["params"]["documentURL"] == self.page]
+                and event["params"]["documentURL"] == self.url]
 
     def test_complaints_and_requests_of_a_broken_page_would_be_seen(self):
         self.browser.run("document.body.append(Object.assign(new Image(), "

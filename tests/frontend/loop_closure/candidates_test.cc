@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace gmapping_spa::loop_closure {
+namespace gmapping_spa::loop_closure::candidates_test {
 namespace {
 
 using backend::SE2;
@@ -103,4 +103,4 @@ TEST(FindCandidates, FindsNoMoreThanTheMaximum) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::loop_closure
+}  // namespace gmapping_spa::loop_closure::candidates_test

@@ -11,7 +11,7 @@
 #include "tests/frontend/loop_closure/aisles.h"
 #include "tests/frontend/loop_closure/loop_world.h"
 
-namespace gmapping_spa::loop_closure {
+namespace gmapping_spa::loop_closure::verification_test {
 namespace {
 
 using backend::SE2;
@@ -221,4 +221,4 @@ TEST_F(Verification, RefusesBlindScans) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::loop_closure
+}  // namespace gmapping_spa::loop_closure::verification_test

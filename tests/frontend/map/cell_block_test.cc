@@ -9,7 +9,7 @@
 
 #include "backend/counter_random.h"
 
-namespace gmapping_spa::map {
+namespace gmapping_spa::map::cell_block_test {
 namespace {
 
 constexpr double kOccupiedThreshold = 0.3;
@@ -160,4 +160,4 @@ TEST(CellBlock, ForgetsTheBlockBefore) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::map
+}  // namespace gmapping_spa::map::cell_block_test

@@ -10,7 +10,7 @@ namespace {
 using backend::CounterRandom;
 using backend::SE2;
 
-class InARoom : public testing::Test {
+class MatchStartInARoom : public testing::Test {
  protected:
   SE2 Choose(const MatchStart::Options& options, CounterRandom* random) {
     return MakeMatchStart(options, motion_model_)->Choose(previous_, control_, &model_, random);
@@ -27,23 +27,23 @@ class InARoom : public testing::Test {
   CounterRandom random_{1, 0};
 };
 
-TEST_F(InARoom, PredictionIsThatOfTheOdometry) {
+TEST_F(MatchStartInARoom, PredictionIsThatOfTheOdometry) {
   EXPECT_TRUE(Choose({}, &random_) == previous_ * control_.motion);
 }
 
-TEST_F(InARoom, TheBestOfManyGuessesFitsBetter) {
+TEST_F(MatchStartInARoom, TheBestOfManyGuessesFitsBetter) {
   const SE2 best = Choose({.guesses = 200}, &random_);
   EXPECT_GT(model_.Score(best), model_.Score(previous_ * control_.motion) + 0.1);
   EXPECT_LT(Between(best, truth_).translation().norm(), 0.05);
 }
 
-TEST_F(InARoom, ADrawIsThatOfTheMotionModelHoweverItFits) {
+TEST_F(MatchStartInARoom, ADrawIsThatOfTheMotionModelHoweverItFits) {
   CounterRandom same(1, 0);
   const SE2 draw = Choose({.kind = MatchStart::Kind::kDraw, .guesses = 200}, &random_);
   EXPECT_TRUE(draw == motion_model_.Sample(previous_, control_, &same));
 }
 
-TEST_F(InARoom, AFailedMatchDrawsAfreshUnlessItHasStartedAtADraw) {
+TEST_F(MatchStartInARoom, AFailedMatchDrawsAfreshUnlessItHasStartedAtADraw) {
   const SE2 start{1, 2, 3};
   const auto draw_instead = [&](MatchStart::Kind kind) {
     return MakeMatchStart({.kind = kind}, motion_model_)

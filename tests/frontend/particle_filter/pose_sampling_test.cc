@@ -11,7 +11,7 @@ namespace {
 using backend::CounterRandom;
 using backend::SE2;
 
-class InARoom : public testing::Test {
+class PoseSamplingInARoom : public testing::Test {
  protected:
   SampledPose Sample(PoseSampling::Kind kind, bool needs_covariance = true) {
     CounterRandom random{1, 0};
@@ -27,7 +27,7 @@ class InARoom : public testing::Test {
                             MotionModel({}).Covariance(match_, {1, 0, 0}, 1.0)};
 };
 
-TEST_F(InARoom, GaussianDrawsFromTheImprovedProposalAndWeightsByItsIntegral) {
+TEST_F(PoseSamplingInARoom, GaussianDrawsFromTheImprovedProposalAndWeightsByItsIntegral) {
   const SampledPose sampled = Sample(PoseSampling::Kind::kGaussian);
   const Proposal proposal = ComputeProposal(&model_, match_, prior_);
   CounterRandom same(1, 0);
@@ -36,13 +36,13 @@ TEST_F(InARoom, GaussianDrawsFromTheImprovedProposalAndWeightsByItsIntegral) {
   EXPECT_EQ(sampled.world_covariance, proposal.gaussian.covariance);
 }
 
-TEST_F(InARoom, MatchIsThePoseItselfWeightedByItsLikelihood) {
+TEST_F(PoseSamplingInARoom, MatchIsThePoseItselfWeightedByItsLikelihood) {
   const SampledPose sampled = Sample(PoseSampling::Kind::kMatch);
   EXPECT_TRUE(sampled.world_T_robot == match_);
   EXPECT_EQ(sampled.log_factor, model_.LogLikelihood(match_));
 }
 
-TEST_F(InARoom, MatchHasTheCovarianceOfTheProposalWhereItIsNeeded) {
+TEST_F(PoseSamplingInARoom, MatchHasTheCovarianceOfTheProposalWhereItIsNeeded) {
   EXPECT_EQ(Sample(PoseSampling::Kind::kMatch).world_covariance,
             ComputeProposal(&model_, match_, prior_).gaussian.covariance);
   EXPECT_EQ(Sample(PoseSampling::Kind::kMatch, false).world_covariance, prior_.covariance);

@@ -10,7 +10,7 @@
 #include "backend/counter_random.h"
 #include "tests/frontend/room_map.h"
 
-namespace gmapping_spa::scan_matching {
+namespace gmapping_spa::scan_matching::hill_climbing_test {
 namespace {
 
 using backend::SE2;
@@ -86,4 +86,4 @@ TEST(HillClimbing, FailsBelowTheMinimumScore) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::scan_matching
+}  // namespace gmapping_spa::scan_matching::hill_climbing_test

@@ -8,7 +8,7 @@
 #include "frontend/scan_matching/field_pyramid.h"
 #include "frontend/scan_matching/likelihood_field.h"
 
-namespace gmapping_spa::scan_matching {
+namespace gmapping_spa::scan_matching::score_peak_test {
 namespace {
 
 constexpr double kResolution = 0.05, kAngularStep = 0.04;
@@ -76,4 +76,4 @@ TEST_F(ScorePeakTest, CovarianceIsThatOfRoundingAndGrowsAsOtherPosesCount) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::scan_matching
+}  // namespace gmapping_spa::scan_matching::score_peak_test

@@ -9,7 +9,7 @@
 
 #include "tests/frontend/sensor/fake_record_reader.h"
 
-namespace gmapping_spa::sensor {
+namespace gmapping_spa::sensor::laser_mounting_test {
 namespace {
 
 using backend::SE2;
@@ -163,4 +163,4 @@ TEST(LaserMounting, HoldsABoundedPartBack) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::sensor
+}  // namespace gmapping_spa::sensor::laser_mounting_test

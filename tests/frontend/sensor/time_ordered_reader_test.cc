@@ -12,7 +12,7 @@
 
 #include "tests/frontend/sensor/fake_record_reader.h"
 
-namespace gmapping_spa::sensor {
+namespace gmapping_spa::sensor::time_ordered_reader_test {
 namespace {
 
 using testing::ElementsAre;
@@ -186,4 +186,4 @@ TEST(TimeOrderedReader, StampsThatStandStillDoNotFillTheMemory) {
 }
 
 }  // namespace
-}  // namespace gmapping_spa::sensor
+}  // namespace gmapping_spa::sensor::time_ordered_reader_test
