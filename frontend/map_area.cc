@@ -15,9 +15,10 @@ void MapArea::Extend(const sensor::LaserScan& scan, const backend::SE2& world_T_
   area_.extend(world_T_robot.translation() - Eigen::Vector2d::Constant(reach_m));
   area_.extend(world_T_robot.translation() + Eigen::Vector2d::Constant(reach_m));
   const Eigen::Vector2d cells = area_.sizes() / resolution_m_;
-  // Half the indices: the world's origin is somewhere inside. Negated, so that NaN fails.
+  // The world's origin is somewhere inside. Negated, so that NaN fails.
+  constexpr int kMostAcross = map::kMaxCellIndex / 2;
   if (!world_T_robot.IsFinite() ||
-      !(cells.prod() < map::kMaxMapCells && cells.maxCoeff() < map::kMaxCellIndex / 2)) {
+      !(cells.prod() < map::kMaxMapCells && cells.maxCoeff() < kMostAcross)) {
     throw std::runtime_error("scan " + std::to_string(scan.index) +
                              ": the odometry leads out of the area that a map can cover (" +
                              std::to_string(map::kMaxMapCells) + " cells)");

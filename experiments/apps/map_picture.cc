@@ -73,7 +73,7 @@ Range CellsUnderPixel(double first_cell, double cells_per_px, int size) {
 }
 
 std::uint32_t GreyLevel(const TrinaryMap& map, Range columns, Range rows) {
-  long sum = 0, count = 0;
+  std::int64_t sum = 0, count = 0;
   for (int row = rows.begin; row < rows.end; ++row) {
     for (int column = columns.begin; column < columns.end; ++column) {
       const CellState state = map.at(column, row);

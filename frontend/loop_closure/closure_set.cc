@@ -119,6 +119,7 @@ std::vector<std::vector<std::size_t>> ProvenSets(const ProofOptions& options,
                                                  const std::vector<ClosureRecord>& records,
                                                  const std::vector<ClosureSet>& sets) {
   std::vector<std::vector<std::size_t>> sound;
+  sound.reserve(sets.size());
   for (const ClosureSet& set : sets) {
     sound.push_back(SoundMembers(options, drift, path, records, set));
   }

@@ -51,6 +51,7 @@ std::vector<int> Pieces::Joined(std::span<const Edge> closures) const {
 std::vector<bool> Pieces::JoinedWith(int node, std::span<const Edge> closures) const {
   const std::vector<int> joined = Joined(closures);
   std::vector<bool> with;
+  with.reserve(joined.size());
   for (const int earliest : joined) with.push_back(earliest == joined[PieceOf(node)]);
   return with;
 }

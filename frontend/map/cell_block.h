@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 
 #include "frontend/map/occupancy_grid.h"
@@ -114,8 +115,8 @@ class CellBlock {
   std::uint64_t occupied_ = 0;                                // bit kSize * row + column
   std::uint64_t often_hit_ = 0;
   // Hit means from the corner of the block.
-  std::array<float, kSize * kSize> x_;
-  std::array<float, kSize * kSize> y_;
+  std::array<float, std::size_t{kSize} * kSize> x_;
+  std::array<float, std::size_t{kSize} * kSize> y_;
 };
 
 }  // namespace gmapping_spa::map

@@ -43,11 +43,11 @@ std::string ReadBytes(const std::string& path) {
 }
 
 // One number of a PGM or PPM header, after blanks and comments.
-long HeaderNumber(std::istream& in) {
+std::int64_t HeaderNumber(std::istream& in) {
   while ((in >> std::ws) && in.peek() == '#') {
     in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
-  long number = -1;
+  std::int64_t number = -1;
   in >> number;
   return number;
 }
@@ -57,15 +57,17 @@ long HeaderNumber(std::istream& in) {
 void CheckPnm(const std::string& path, const std::string& bytes) {
   std::istringstream in(bytes);
   in.ignore(2);
-  const long width = HeaderNumber(in), height = HeaderNumber(in), maximum = HeaderNumber(in);
+  const std::int64_t width = HeaderNumber(in), height = HeaderNumber(in),
+                     maximum = HeaderNumber(in);
   if (maximum != 255)
     Fail(path, "expected an image of maximum value 255, found " + std::to_string(maximum));
-  const long channels = bytes[1] == '6' ? 3 : 1;
-  const long expected = width * height * channels;  // Both were limited before.
-  const long found = static_cast<long>(bytes.size()) - static_cast<long>(in.tellg()) - 1;
+  const std::int64_t channels = bytes[1] == '6' ? 3 : 1;
+  const std::int64_t expected = width * height * channels;  // Both were limited before.
+  const std::int64_t found =
+      static_cast<std::int64_t>(bytes.size()) - static_cast<std::int64_t>(in.tellg()) - 1;
   if (found < expected) {
     Fail(path, "expected " + std::to_string(expected) + " bytes of pixels, found " +
-                   std::to_string(std::max(found, 0L)));
+                   std::to_string(std::max<std::int64_t>(found, 0)));
   }
 }
 
@@ -83,7 +85,7 @@ Image ReadImage(const std::string& path) {
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
     Fail(path, "expected a PGM or PNG image, found something else");
   }
-  if (width <= 0 || height <= 0 || static_cast<long>(width) * height > kMaxMapCells) {
+  if (width <= 0 || height <= 0 || static_cast<std::int64_t>(width) * height > kMaxMapCells) {
     Fail(path, "expected 1 to " + std::to_string(kMaxMapCells) + " pixels, found " +
                    std::to_string(width) + " x " + std::to_string(height));
   }

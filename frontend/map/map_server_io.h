@@ -6,6 +6,7 @@
 #ifndef GMAPPING_SPA_FRONTEND_MAP_MAP_SERVER_IO_H_
 #define GMAPPING_SPA_FRONTEND_MAP_MAP_SERVER_IO_H_
 
+#include <cstdint>
 #include <ostream>
 #include <string>
 
@@ -29,7 +30,7 @@ void WriteMapYaml(const TrinaryMap& map, const std::string& image_name, std::ost
 TrinaryMap ReadMap(const std::string& yaml_path);
 
 // 800 m x 800 m at 0.05 m. Beyond it, a broken header is likelier than a map.
-inline constexpr long kMaxMapCells = 1L << 28;
+inline constexpr std::int64_t kMaxMapCells = std::int64_t{1} << 28;
 
 }  // namespace gmapping_spa::map
 

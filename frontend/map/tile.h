@@ -6,6 +6,7 @@
 #include <array>
 #include <boost/intrusive_ptr.hpp>
 #include <boost/smart_ptr/intrusive_ref_counter.hpp>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -56,7 +57,7 @@ struct Tile : boost::intrusive_ref_counter<Tile, boost::thread_safe_counter> {
   static constexpr int kSize = 1 << kShift;
   static constexpr int kMask = kSize - 1;
 
-  std::array<Cell, kSize * kSize> cells{};
+  std::array<Cell, std::size_t{kSize} * kSize> cells{};
   // Bit x of occupied[y]: the cell counts as an obstacle for scan matching. Redundant with the
   // cells, kept because a matcher asks nine cells per beam and nearly all of them are empty.
   std::array<std::uint16_t, kSize> occupied{};

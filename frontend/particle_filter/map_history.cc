@@ -89,13 +89,14 @@ std::vector<map::OccupancyGrid> MapHistory::Rebuild(const TrajectoryTree& tree,
     const int trunk_end = static_cast<int>(trunk.size()) - 1;
     if (vertex.step < trunk_end) continue;
     if (vertex.step == trunk_end) {
-      maps[i] = std::move(map);
+      maps[i] = std::move(map);  // NOLINT(bugprone-use-after-move): one vertex ends the trunk
       continue;
     }
     maps[i] = inherit(vertex.parent);
     map::InsertScan(scan_of_step(vertex.step), vertex.world_T_robot, insertion_, &*maps[i]);
   }
   std::vector<map::OccupancyGrid> result;
+  result.reserve(leaves.size());
   for (const Index leaf : leaves) result.push_back(inherit(leaf));
   return result;
 }

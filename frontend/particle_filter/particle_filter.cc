@@ -79,6 +79,7 @@ ParticleFilter::UpdateResult ParticleFilter::Update(const sensor::LaserScan& sca
   CHECK(!controls.empty());
   ++step_;
   std::vector<double> probabilities;
+  probabilities.reserve(controls.size());
   for (const Control& control : controls) probabilities.push_back(control.probability);
   // From the middle, so that a single particle takes the likeliest.
   const std::vector<int> shares = SystematicResample(probabilities, options_.particles, 0.5);

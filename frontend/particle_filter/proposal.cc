@@ -67,7 +67,8 @@ Proposal ComputeProposal(scan_matching::EndpointModel* model, const SE2& optimum
   std::array<Vector3d, kSamples> offsets;
   Eigen::Array<double, kSamples, 1> log_target;
   for (int k = 0; k < kSamples; ++k) {
-    offsets[k] = lattice * Vector3d(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+    const Eigen::Vector3i step(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+    offsets[k] = lattice * Vector3d(step.cast<double>());
     const SE2 sample = Plus(optimum, offsets[k]);
     const Vector3d innovation = Minus(sample, motion_prior.mean);
     log_target[k] = model->LogLikelihood(sample) + log_prior_scale -

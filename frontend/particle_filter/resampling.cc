@@ -12,6 +12,7 @@ std::vector<double> NormalizedWeights(const std::vector<double>& log_weights, do
   CHECK(!log_weights.empty());
   const double largest = *std::max_element(log_weights.begin(), log_weights.end());
   std::vector<double> weights;
+  weights.reserve(log_weights.size());
   for (const double log_weight : log_weights) {
     weights.push_back(std::exp(gain * (log_weight - largest)));
   }
