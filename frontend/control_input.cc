@@ -2,12 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
+
+#include "backend/text.h"
 
 namespace gmapping_spa::frontend {
 
 using sensor::OdometryCheck;
 using sensor::OdometryFault;
+
+namespace {
+
+constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+
+}  // namespace
 
 ControlInput::ControlInput(const Options& options, Health* health)
     : options_(options),
@@ -45,6 +54,7 @@ ScanMotion ControlInput::AddScan(const sensor::LaserScan& scan) {
     of_wheels.velocity = motion.velocity;
     return of_wheels;
   }
+  ReportCalibration(scan.stamp_s);
   ReportMatch(motion, wheels, scan.stamp_s);
   return motion;
 }
@@ -99,6 +109,19 @@ void ControlInput::ReportSweep(double stamp_s) {
                       "; they are deskewed from here on, all of them in the end");
 }
 
+// Once.
+void ControlInput::ReportCalibration(double stamp_s) {
+  const WheelCalibration& calibration = lidar_odometry_.wheel_calibration();
+  if (has_reported_calibration_ || !calibration.corrects()) return;
+  has_reported_calibration_ = true;
+  health_->Report("odometry_calibrated", stamp_s,
+                  "the odometry turns wrong all the time, by about " +
+                      backend::FixedText(-kDegPerRad * calibration.rad_per_m(), 1) +
+                      " deg per m driven and " +
+                      backend::FixedText(-100.0 * calibration.rad_per_rad(), 1) +
+                      " % of its turns so far; that is corrected, and learned on, from here on");
+}
+
 void ControlInput::ReportUnmatched(const ScanMotion& motion, const OdometryCheck::Step& wheels,
                                    double stamp_s) {
   if (motion.matched || wheels.fault == OdometryFault::kRepeatedScan) return;
@@ -111,6 +134,11 @@ void ControlInput::ReportMatch(const ScanMotion& motion, const OdometryCheck::St
   if (motion.wheels_silent) {
     health_->Report("odometry_silent", stamp_s,
                     "the odometry stands still while the scans show motion; it is left out");
+  }
+  if (motion.wheels_turn_only) {
+    health_->Report("odometry_turns_only", stamp_s,
+                    "the odometry has told turns, but never a way, while the scans show one; its "
+                    "turns are used alone");
   }
   if (motion.wheels_late) {
     health_->Report("odometry_late", stamp_s,

@@ -46,6 +46,7 @@ class ControlInput {
   void ReportFault(const sensor::OdometryCheck::Step& wheels, double stamp_s);
   void ReportBlind(const sensor::LaserScan& scan);
   void ReportSweep(double stamp_s);
+  void ReportCalibration(double stamp_s);
   void ReportUnmatched(const ScanMotion& motion, const sensor::OdometryCheck::Step& wheels,
                        double stamp_s);
   void ReportMatch(const ScanMotion& motion, const sensor::OdometryCheck::Step& wheels,
@@ -58,6 +59,7 @@ class ControlInput {
   std::optional<backend::SE2> odom_T_previous_;  // of kRaw: what the log last said
   StandStill stand_still_;                       // of kRaw
   bool has_reported_sweep_ = false;
+  bool has_reported_calibration_ = false;
   bool has_seen_ = false;               // any obstacle so far
   std::vector<double> blind_stamps_s_;  // of scans without a hit that are not reported yet
 };

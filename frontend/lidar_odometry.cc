@@ -49,6 +49,9 @@ constexpr double kMoreUnknown = 0.3;
 // Of beams in doubt: fewer that do not fit prove nothing.
 constexpr double kFewBeams = 4.0;
 
+// As far from where it began, a robot has driven and not only turned on the spot.
+constexpr double kSomeWay_m = 0.5;
+
 constexpr int kScansToKnowVelocity = 3;
 
 // Half widths of the windows that are searched, one after the other until a match convinces.
@@ -102,7 +105,7 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
     return result;
   }
 
-  const std::optional<WheelMotion> guess = wheel_trust_.Guess(wheels);
+  const std::optional<WheelMotion> guess = wheel_trust_.Guess(wheels, SameVelocity(duration_s));
   const MotionPrior prior = MakePrior(guess, duration_s);
   points_ = scan_matching::MakeScanPoints(
       Deskewed(scan, VelocityOf(prior.hypotheses().front().motion, duration_s)));
@@ -144,7 +147,11 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   odom_T_robot_ = best.odom_T_robot;
   result.motion = Between(before, odom_T_robot_);
   result.velocity = VelocityOf(result.motion, duration_s);
-  result.wheels_rejected = prior.hypotheses().front().SquaredDistance(result.motion) > kAgrees;
+  // A way that the wheels do not tell can not be wrong.
+  const SE2& guessed = prior.hypotheses().front().motion;
+  const SE2 told =
+      guess && !guess->tells_way ? SE2{guessed.x, guessed.y, result.motion.theta} : result.motion;
+  result.wheels_rejected = prior.hypotheses().front().SquaredDistance(told) > kAgrees;
   if (guess && !result.wheels_rejected) {
     result.noise = 1.0 / std::sqrt(std::min(guess->gain_m, guess->gain_rad));
   }
@@ -154,6 +161,8 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
     wheel_trust_.Learn(result.motion);
   }
   result.wheels_silent = wheel_trust_.silent() && Moves(result.motion);
+  result.wheels_turn_only =
+      wheel_trust_.tells_turns_only() && odom_T_robot_.translation().norm() > kSomeWay_m;
   result.wheels_late = guess && wheel_trust_.late();
   result.wheels_mirrored = wheel_trust_.mirrored();
   double sum = 0.0;
@@ -190,9 +199,13 @@ double LidarOdometry::DurationRatio(double duration_s) const {
   return std::clamp(duration_s / usual_duration_s_, 1.0 / kMaxRatio, kMaxRatio);
 }
 
+SE2 LidarOdometry::SameVelocity(double duration_s) const {
+  return backend::Exp(DurationRatio(duration_s) * usual_motion_);
+}
+
 MotionPrior LidarOdometry::MakePrior(const std::optional<WheelMotion>& wheels,
                                      double duration_s) const {
-  return {options_.prior, wheels, backend::Exp(DurationRatio(duration_s) * usual_motion_),
+  return {options_.prior, wheels, SameVelocity(duration_s),
           std::max(duration_s, usual_duration_s_)};
 }
 

@@ -33,12 +33,13 @@ struct ScanMotion {
   double noise = 1.0;
   // Of the robot during the scan: a twist in its frame (m/s, m/s, rad/s).
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-  bool searched = false;         // whether the guesses did not do and a window was searched
-  bool wheels_rejected = false;  // whether the motion is not what the wheels say
-  bool wheels_silent = false;    // whether the wheels stand still while the robot moves
-  bool wheels_late = false;      // whether the wheels tell motions later than the scans
-  bool wheels_mirrored = false;  // whether the wheels turn the other way than the scans
-  bool matched = true;           // whether the scan fits what was seen before
+  bool searched = false;          // whether the guesses did not do and a window was searched
+  bool wheels_rejected = false;   // whether the motion is not what the wheels say
+  bool wheels_silent = false;     // whether the wheels stand still while the robot moves
+  bool wheels_turn_only = false;  // whether the wheels have never told a way, and the robot drives
+  bool wheels_late = false;       // whether the wheels tell motions later than the scans
+  bool wheels_mirrored = false;   // whether the wheels turn the other way than the scans
+  bool matched = true;            // whether the scan fits what was seen before
   // Where the robot was lost, and the last scans fit each other: so many, this one included, are
   // the begin of a new piece of map; how it lies to what was before is not known. Else zero.
   int new_piece_scans = 0;
@@ -84,6 +85,8 @@ class LidarOdometry {
   // Time from the first beam of a scan to the last one, s, by which scans are to be deskewed; 0
   // where they seem to be measured at once.
   double sweep_s() const;
+  // By which the wheels' turns are corrected.
+  const WheelCalibration& wheel_calibration() const { return wheel_trust_.calibration(); }
 
  private:
   // A pose of the robot and how well the scan fits there.
@@ -99,6 +102,7 @@ class LidarOdometry {
                       const sensor::OdometryCheck::Step& wheels,
                       const std::optional<WheelMotion>& guess);
   double DurationRatio(double duration_s) const;
+  backend::SE2 SameVelocity(double duration_s) const;
   Eigen::Vector3d VelocityOf(const backend::SE2& motion, double duration_s) const;
   sensor::LaserScan Deskewed(const sensor::LaserScan& scan, const Eigen::Vector3d& velocity) const;
   MotionPrior MakePrior(const std::optional<WheelMotion>& wheels, double duration_s) const;

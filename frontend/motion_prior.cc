@@ -38,10 +38,12 @@ MotionPrior::MotionPrior(const Options& options, const std::optional<WheelMotion
   if (wheels) {
     const double linear_m = wheels->motion.translation().norm();
     const double angular_rad = std::abs(wheels->motion.theta);
+    const double sigma_m = wheels->tells_way ? options.floor_m + options.m_per_m * linear_m +
+                                                   options.m_per_rad * angular_rad
+                                             : going_on.sigma_m;
     hypotheses_.push_back(
         {.motion = wheels->motion,
-         .sigma_m = wheels->sigma_factor * (options.floor_m + options.m_per_m * linear_m +
-                                            options.m_per_rad * angular_rad),
+         .sigma_m = wheels->sigma_factor * sigma_m,
          .sigma_rad = wheels->sigma_factor * (options.floor_rad + options.rad_per_m * linear_m +
                                               options.rad_per_rad * angular_rad),
          .weight = 1.0 - wheels->wrong,

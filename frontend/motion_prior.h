@@ -33,6 +33,7 @@ struct WheelMotion {
   backend::SE2 motion;
   double sigma_factor = 1.0;  // on the standard deviations
   double wrong = 0.01;        // probability that it has nothing to do with the motion
+  bool tells_way = true;      // otherwise the way is a guess, as sure as that of the same velocity
   // Of MotionHypothesis.
   double gain_m = 1.0;
   double gain_rad = 1.0;

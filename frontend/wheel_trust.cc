@@ -16,6 +16,7 @@ constexpr double kMinWrong = 0.01, kMaxWrong = 0.5;
 constexpr double kMaxError = 100.0;   // of one scan, so that a slip does not count for all
 constexpr double kContradicts = 9.0;  // squared standard deviations
 constexpr int kSilentScans = 3;
+constexpr double kTold_m = 1e-5;     // more than rounding
 constexpr double kTurns_rad = 0.02;  // more than what scans and wheels are off by
 
 constexpr int kBlockScans = 20;       // in which the wheels moved
@@ -36,20 +37,25 @@ double Gain(double block_error) {
 
 }  // namespace
 
-std::optional<WheelMotion> WheelTrust::Guess(const sensor::OdometryCheck::Step& wheels) {
-  step_ = wheels.motion;
+std::optional<WheelMotion> WheelTrust::Guess(const sensor::OdometryCheck::Step& wheels,
+                                             const SE2& same_velocity) {
+  raw_step_ = wheels.motion;
+  step_ = calibration_.Corrected(raw_step_);
   unchanged_ = wheels.fault == OdometryFault::kUnchanged;
   if (wheels.fault == OdometryFault::kNone) {
     ever_moved_ = true;
+    if (raw_step_.translation().norm() > kTold_m) ever_told_way_ = true;
     contradicted_while_unchanged_ = 0;
   }
   silent_ = unchanged_ && (!ever_moved_ || contradicted_while_unchanged_ >= kSilentScans);
   if (silent_ || (wheels.fault != OdometryFault::kNone && !unchanged_)) return std::nullopt;
+  if (tells_turns_only()) step_ = {same_velocity.x, same_velocity.y, step_.theta};
   const double error = std::max(late() ? late_error_ : step_error_, 1.0);
   return WheelMotion{.motion = late() ? Owed() : step_,
                      .sigma_factor = std::sqrt(error),
                      .wrong = std::clamp(wrong_, kMinWrong, kMaxWrong),
-                     .gain_m = Gain(block_error_m_),
+                     .tells_way = !tells_turns_only(),
+                     .gain_m = tells_turns_only() ? 1.0 : Gain(block_error_m_),
                      .gain_rad = Gain(block_error_rad_)};
 }
 
@@ -71,10 +77,10 @@ void WheelTrust::Learn(const SE2& motion, const MotionHypothesis& guess) {
   if (unchanged_) {
     contradicted_while_unchanged_ = contradicted ? contradicted_while_unchanged_ + 1 : 0;
   }
-  const double turn_rad = std::min(std::abs(step_.theta), std::abs(motion.theta));
+  const double turn_rad = std::min(std::abs(raw_step_.theta), std::abs(motion.theta));
   if (turn_rad > kTurns_rad) {
     turned_rad_ += turn_rad;
-    opposite_rad_ += step_.theta * motion.theta < 0.0 ? turn_rad : 0.0;
+    opposite_rad_ += raw_step_.theta * motion.theta < 0.0 ? turn_rad : 0.0;
   }
   Learn(motion);
 }
@@ -83,6 +89,7 @@ void WheelTrust::Learn(const SE2& motion, const MotionHypothesis& guess) {
 void WheelTrust::LearnBlock(const SE2& motion, const MotionHypothesis& plain) {
   block_wheels_ = block_wheels_ * plain.motion;
   block_motion_ = block_motion_ * motion;
+  calibration_.Add(raw_step_, motion);
   if (!Moves(plain.motion)) return;
   block_variance_m2_ += plain.sigma_m * plain.sigma_m;
   block_variance_rad2_ += plain.sigma_rad * plain.sigma_rad;
@@ -94,6 +101,7 @@ void WheelTrust::LearnBlock(const SE2& motion, const MotionHypothesis& plain) {
   };
   learn(off.translation().squaredNorm() / (2.0 * block_variance_m2_), &block_error_m_);
   learn(off.theta * off.theta / block_variance_rad2_, &block_error_rad_);
+  calibration_.Learn(block_variance_rad2_);
   block_wheels_ = block_motion_ = {};
   block_variance_m2_ = block_variance_rad2_ = 0.0;
   block_scans_ = 0;

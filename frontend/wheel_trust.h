@@ -7,6 +7,7 @@
 #include "backend/se2.h"
 #include "frontend/motion_prior.h"
 #include "frontend/sensor/odometry_check.h"
+#include "frontend/wheel_calibration.h"
 
 namespace gmapping_spa::frontend {
 
@@ -14,8 +15,10 @@ namespace gmapping_spa::frontend {
 class WheelTrust {
  public:
   // What the wheels say about the motion since the scan before. Nothing where they are faulty,
-  // missing, or silent: they have never moved, or stand still while scans show motion.
-  std::optional<WheelMotion> Guess(const sensor::OdometryCheck::Step& wheels);
+  // missing, or silent: they have never moved, or stand still while scans show motion. The way of
+  // wheels that have never told one is that of `same_velocity`.
+  std::optional<WheelMotion> Guess(const sensor::OdometryCheck::Step& wheels,
+                                   const backend::SE2& same_velocity);
 
   // `motion`: what it was, after all. `guess`: the hypothesis made of Guess.
   void Learn(const backend::SE2& motion, const MotionHypothesis& guess);
@@ -25,6 +28,10 @@ class WheelTrust {
   // Whether readings come later than the scans that they belong to.
   bool late() const { return step_error_ > kPoorError && late_error_ < kLateBelow * step_error_; }
   bool silent() const { return silent_; }
+  // By which their turns are corrected.
+  const WheelCalibration& calibration() const { return calibration_; }
+  // Whether they have told turns, but never a way.
+  bool tells_turns_only() const { return ever_moved_ && !ever_told_way_; }
   // Whether wheels and scans have turned opposite ways over some whole turns: one of them is
   // mirrored.
   bool mirrored() const {
@@ -40,9 +47,12 @@ class WheelTrust {
   backend::SE2 Owed() const { return owed_ * step_; }
   void LearnBlock(const backend::SE2& motion, const MotionHypothesis& plain);
 
-  backend::SE2 step_;  // of the wheels at this scan
+  WheelCalibration calibration_;
+  backend::SE2 raw_step_;  // of the wheels at this scan
+  backend::SE2 step_;      // corrected
   bool unchanged_ = false;
   bool ever_moved_ = false;
+  bool ever_told_way_ = false;
   bool silent_ = false;
   int contradicted_while_unchanged_ = 0;  // scans in a row
   // What the wheels have reported on the last scans and the robot has not done, or the other way

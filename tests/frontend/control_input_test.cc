@@ -207,6 +207,36 @@ TEST_F(ControlInputInARoom, SilentWheelsAreReported) {
   ExpectNear(world_T_estimate_, OnRound(80), 0.03, 0.01);
 }
 
+TEST_F(ControlInputInARoom, WheelsThatTellTurnsOnlyAreReported) {
+  Start(OdometrySource::kLidar);
+  for (; step_ <= 80; ++step_) {
+    sensor::LaserScan scan = ScanAt(step_);
+    scan.odom_T_robot = {0.0, 0.0, scan.odom_T_robot.theta};
+    Take(scan);
+  }
+  EXPECT_EQ(Findings(), Kinds{"odometry_turns_only"});
+  EXPECT_GT(health_.findings().at("odometry_turns_only").count, 60);
+  ExpectNear(world_T_estimate_, OnRound(80), 0.03, 0.01);
+}
+
+TEST_F(ControlInputInARoom, SaysOnceThatTurnsAreCorrected) {
+  Start(OdometrySource::kLidar);
+  SE2 odom_T_robot;
+  for (; step_ <= 800; ++step_) {
+    sensor::LaserScan scan = ScanAt(step_);
+    if (step_ > 0) {
+      const SE2 motion = Between(OnRound(step_ - 1), OnRound(step_));
+      odom_T_robot = odom_T_robot * SE2{motion.x, motion.y, motion.theta + 0.06 * motion.x};
+    }
+    scan.odom_T_robot = odom_T_robot;
+    Take(scan);
+  }
+  EXPECT_EQ(Findings(), Kinds{"odometry_calibrated"});
+  EXPECT_EQ(health_.findings().at("odometry_calibrated").count, 1);
+  EXPECT_THAT(health_.findings().at("odometry_calibrated").message,
+              testing::HasSubstr("deg per m driven"));
+}
+
 TEST_F(ControlInputInARoom, AContradictionIsReported) {
   Start(OdometrySource::kLidar);
   DriveUpTo(40);

@@ -59,6 +59,26 @@ TEST_P(LidarOdometryInACorridor, WheelsThatSlipAcrossItAreCorrected) {
   EXPECT_NEAR(Between(along, drive.world_T_estimate()).y, 0.0, 0.02);
 }
 
+// Past door frames, on a way that winds a little.
+TEST_P(LidarOdometryInACorridor, WheelsThatTellTurnsOnlyDoNotHoldTheRobotBack) {
+  synthetic::Walls walls = synthetic::Corridor(GetParam());
+  const SE2 along{0, 0, GetParam()};
+  for (double x = -6.5; x < 20.0; x += 5.0) {
+    for (const double end : {x, x + 0.9}) {
+      walls.push_back({along * Eigen::Vector2d(end, 0.75), along * Eigen::Vector2d(end, 1.0)});
+    }
+  }
+  Drive drive(walls, {.usable_range_m = 8.0});
+  for (int step = 0; step <= 100; ++step) {
+    const double turn_rad = 0.02 * std::sin(0.3 * step);
+    const double before_rad = 0.02 * std::sin(0.3 * (step - 1));
+    const ScanMotion motion =
+        drive.To(along * SE2{Way(step), 0.1, turn_rad}, {{0, 0, turn_rad - before_rad}});
+    EXPECT_TRUE(motion.wheels_turn_only || step < 20) << step;
+  }
+  drive.ExpectIsWhereItIs(0.1, 0.01);
+}
+
 TEST(LidarOdometryWithFewBeams, ExactWheelsAreKept) {
   // In a corridor with an end and niches.
   synthetic::Walls walls;
@@ -75,6 +95,17 @@ TEST(LidarOdometryWithFewBeams, ExactWheelsAreKept) {
     EXPECT_NEAR(off.y, 0.0, 0.08);
     EXPECT_NEAR(off.theta, 0.0, 0.02);
   }
+}
+
+TEST(LidarOdometryWithFewBeams, WheelsThatTurnTooFarAllTheTimeDoNotBendThePath) {
+  constexpr double kTooFar_rad_per_m = 0.06;
+  Drive drive(synthetic::Corridor(0.35), {.beams = 18});
+  const SE2 along{0, 0, 0.35};
+  for (int step = 0; step <= 600; ++step) {
+    const double driven_m = step == 0 ? 0.0 : Way(step) - Way(step - 1);
+    drive.To(along * SE2{Way(step), 0.1, 0}, {{driven_m, 0, kTooFar_rad_per_m * driven_m}});
+  }
+  EXPECT_NEAR(Between(drive.world_T_robot(), drive.world_T_estimate()).theta, 0.0, 0.1);
 }
 
 }  // namespace

@@ -30,6 +30,16 @@ TEST(MotionPrior, HoldsTheWheelsBeforeGoingOnAsBefore) {
   EXPECT_NEAR(prior.hypotheses()[1].weight, 0.01, 1e-12);
 }
 
+TEST(MotionPrior, AWayThatTheWheelsDoNotTellIsAsUnsureAsGoingOnAsBefore) {
+  const SE2 turn{0.12, 0.0, 0.05}, same{0.12, 0.0, 0.0};
+  const MotionPrior told = Prior(turn, same, 0.3);
+  const MotionPrior untold(kOptions, WheelMotion{.motion = turn, .tells_way = false}, same, 0.3);
+  const MotionHypothesis &wheels = untold.hypotheses()[0], &going_on = untold.hypotheses()[1];
+  EXPECT_EQ(wheels.sigma_m, going_on.sigma_m);
+  EXPECT_GT(wheels.sigma_m, told.hypotheses()[0].sigma_m);
+  EXPECT_EQ(wheels.sigma_rad, told.hypotheses()[0].sigma_rad);
+}
+
 TEST(MotionPrior, WheelsThatHaveNoSayLeaveGoingOnAsBefore) {
   const SE2 same{0.12, 0, 0.04};
   const MotionPrior prior = PriorWithoutWheels(same, 0.1);

@@ -13,21 +13,24 @@ using backend::SE2;
 using sensor::OdometryFault;
 using Wheels = sensor::OdometryCheck::Step;
 
-const SE2 kStep{0.1, 0, 0.05};  // of the robot, at every scan
+const SE2 kStep{0.1, 0, 0.05};          // of the robot, at every scan
+const SE2 kVelocity{0.09, 0.01, 0.02};  // where it would be if it went on as before
 constexpr Wheels kUnchanged{{}, OdometryFault::kUnchanged};
 
 class WheelTrustOnADrive : public testing::Test {
  protected:
   // One scan: what the wheels say, and what the motion was after all.
   std::optional<WheelMotion> Take(const Wheels& wheels, const SE2& motion) {
-    const std::optional<WheelMotion> guess = trust_.Guess(wheels);
+    const std::optional<WheelMotion> guess = Hear(wheels);
     if (guess) {
-      trust_.Learn(motion, MotionPrior({}, guess, {}, 0.1).hypotheses().front());
+      trust_.Learn(motion, MotionPrior({}, guess, kVelocity, 0.1).hypotheses().front());
     } else {
       trust_.Learn(motion);
     }
     return guess;
   }
+
+  std::optional<WheelMotion> Hear(const Wheels& wheels) { return trust_.Guess(wheels, kVelocity); }
 
   void DriveWell(int scans) {
     for (int i = 0; i < scans; ++i) Take({kStep}, kStep);
@@ -38,7 +41,7 @@ class WheelTrustOnADrive : public testing::Test {
 
 TEST_F(WheelTrustOnADrive, GoodWheelsAreTakenAtTheirWord) {
   DriveWell(100);
-  const std::optional<WheelMotion> guess = trust_.Guess({kStep});
+  const std::optional<WheelMotion> guess = Hear({kStep});
   ASSERT_TRUE(guess);
   EXPECT_TRUE((guess->motion == kStep));
   EXPECT_DOUBLE_EQ(guess->sigma_factor, 1.0);
@@ -49,12 +52,12 @@ TEST_F(WheelTrustOnADrive, GoodWheelsAreTakenAtTheirWord) {
 
 TEST_F(WheelTrustOnADrive, WheelsThatProveExactAreTrustedMore) {
   DriveWell(19);
-  EXPECT_DOUBLE_EQ(trust_.Guess({kStep})->gain_m, 1.0);
+  EXPECT_DOUBLE_EQ(Hear({kStep})->gain_m, 1.0);
   DriveWell(100);
-  EXPECT_GT(trust_.Guess({kStep})->gain_m, 5.0);
-  EXPECT_GT(trust_.Guess({kStep})->gain_rad, 5.0);
+  EXPECT_GT(Hear({kStep})->gain_m, 5.0);
+  EXPECT_GT(Hear({kStep})->gain_rad, 5.0);
   DriveWell(5000);
-  EXPECT_DOUBLE_EQ(trust_.Guess({kStep})->gain_m, 100.0);
+  EXPECT_DOUBLE_EQ(Hear({kStep})->gain_m, 100.0);
 }
 
 TEST_F(WheelTrustOnADrive, NoiseOfScanMatchingIsNotHeldAgainstTheWheels) {
@@ -65,24 +68,24 @@ TEST_F(WheelTrustOnADrive, NoiseOfScanMatchingIsNotHeldAgainstTheWheels) {
     noise = {0.01 * random.Gaussian(), 0.01 * random.Gaussian(), 0.005 * random.Gaussian()};
     Take({kStep}, Inverse(before) * kStep * noise);
   }
-  EXPECT_GT(trust_.Guess({kStep})->gain_m, 3.0);
-  EXPECT_GT(trust_.Guess({kStep})->gain_rad, 3.0);
+  EXPECT_GT(Hear({kStep})->gain_m, 3.0);
+  EXPECT_GT(Hear({kStep})->gain_rad, 3.0);
 }
 
 TEST_F(WheelTrustOnADrive, WheelsOfTheWrongScaleAreNotTrustedMore) {
   const SE2 motion{1.1 * kStep.x, 0, 1.1 * kStep.theta};
   for (int i = 0; i < 400; ++i) Take({kStep}, motion);
-  EXPECT_DOUBLE_EQ(trust_.Guess({kStep})->gain_m, 1.0);
-  EXPECT_LT(trust_.Guess({kStep})->gain_rad, 2.0);
+  EXPECT_DOUBLE_EQ(Hear({kStep})->gain_m, 1.0);
+  EXPECT_LT(Hear({kStep})->gain_rad, 2.0);
 }
 
 TEST_F(WheelTrustOnADrive, OneSlipCostsTheExtraTrust) {
   DriveWell(1000);
-  ASSERT_GT(trust_.Guess({kStep})->gain_m, 20.0);
+  ASSERT_GT(Hear({kStep})->gain_m, 20.0);
   Take({kStep}, {0.5, 0, 0.5});
   DriveWell(20);
-  EXPECT_DOUBLE_EQ(trust_.Guess({kStep})->gain_m, 1.0);
-  EXPECT_DOUBLE_EQ(trust_.Guess({kStep})->gain_rad, 1.0);
+  EXPECT_DOUBLE_EQ(Hear({kStep})->gain_m, 1.0);
+  EXPECT_DOUBLE_EQ(Hear({kStep})->gain_rad, 1.0);
 }
 
 TEST_F(WheelTrustOnADrive, FaultyReadingsSayNothing) {
@@ -92,7 +95,7 @@ TEST_F(WheelTrustOnADrive, FaultyReadingsSayNothing) {
     EXPECT_FALSE(Take({{}, fault}, kStep));
     EXPECT_FALSE(trust_.silent());
   }
-  EXPECT_TRUE(trust_.Guess({kStep}));
+  EXPECT_TRUE(Hear({kStep}));
 }
 
 TEST_F(WheelTrustOnADrive, WheelsThatHaveNeverMovedSayNothing) {
@@ -117,7 +120,7 @@ TEST_F(WheelTrustOnADrive, WheelsThatStandStillWhileTheRobotMovesFallSilentUntil
   for (int i = 0; i < 20; ++i) heard += Take(kUnchanged, kStep) ? 1 : 0;
   EXPECT_EQ(heard, 3);
   EXPECT_TRUE(trust_.silent());
-  EXPECT_TRUE(trust_.Guess({kStep}));
+  EXPECT_TRUE(Hear({kStep}));
   EXPECT_FALSE(trust_.silent());
 }
 
@@ -130,7 +133,7 @@ TEST_F(WheelTrustOnADrive, NoisyWheelsAreBelievedAsFarAsTheirNoiseAllows) {
                     3.0 * usual.sigma_rad * random.Gaussian()};
     Take({kStep * noise}, kStep);
   }
-  EXPECT_NEAR(trust_.Guess({kStep})->sigma_factor, 3.0, 1.0);
+  EXPECT_NEAR(Hear({kStep})->sigma_factor, 3.0, 1.0);
   EXPECT_FALSE(trust_.late());
 }
 
@@ -149,11 +152,11 @@ TEST_F(WheelTrustOnADrive, WheelsThatTurnAsTheRobotDoesAreNotMirrored) {
 TEST_F(WheelTrustOnADrive, OneSlipIsForgotten) {
   DriveWell(50);
   Take({kStep * SE2{1.0, 0, 1.0}}, kStep);
-  EXPECT_GT(trust_.Guess({kStep})->sigma_factor, 1.1);
-  EXPECT_GT(trust_.Guess({kStep})->wrong, 0.03);
+  EXPECT_GT(Hear({kStep})->sigma_factor, 1.1);
+  EXPECT_GT(Hear({kStep})->wrong, 0.03);
   DriveWell(150);
-  EXPECT_NEAR(trust_.Guess({kStep})->sigma_factor, 1.0, 0.1);
-  EXPECT_LT(trust_.Guess({kStep})->wrong, 0.02);
+  EXPECT_NEAR(Hear({kStep})->sigma_factor, 1.0, 0.1);
+  EXPECT_LT(Hear({kStep})->wrong, 0.02);
 }
 
 TEST_F(WheelTrustOnADrive, WheelsThatAreAlwaysWrongAreNotGivenUpAltogether) {
@@ -161,8 +164,36 @@ TEST_F(WheelTrustOnADrive, WheelsThatAreAlwaysWrongAreNotGivenUpAltogether) {
   for (int i = 0; i < 300; ++i) {
     Take({{random.Gaussian(), random.Gaussian(), random.Gaussian()}}, kStep);
   }
-  EXPECT_LE(trust_.Guess({kStep})->wrong, 0.5);
-  EXPECT_LE(trust_.Guess({kStep})->sigma_factor, 10.0);
+  EXPECT_LE(Hear({kStep})->wrong, 0.5);
+  EXPECT_LE(Hear({kStep})->sigma_factor, 10.0);
+}
+
+TEST_F(WheelTrustOnADrive, TurnsThatAreMissingAllTheTimeAreMadeUpFor) {
+  const SE2 said{kStep.x, 0.0, kStep.theta - 0.01};
+  for (int i = 0; i < 1000; ++i) Take({said}, kStep);
+  EXPECT_TRUE(trust_.calibration().corrects());
+  EXPECT_NEAR(Hear({said})->motion.theta, kStep.theta, 0.001);
+  EXPECT_GT(Hear({said})->gain_rad, 2.0);
+}
+
+TEST_F(WheelTrustOnADrive, TheWayOfWheelsThatTellTurnsOnlyIsThatOfTheSameVelocity) {
+  for (int i = 0; i < 100; ++i) {
+    const std::optional<WheelMotion> guess = Take({{0.0, 0.0, kStep.theta}}, kStep);
+    ASSERT_TRUE(guess);
+    EXPECT_TRUE((guess->motion == SE2{kVelocity.x, kVelocity.y, kStep.theta}));
+    EXPECT_FALSE(guess->tells_way);
+    EXPECT_EQ(guess->gain_m, 1.0);
+  }
+  EXPECT_TRUE(trust_.tells_turns_only());
+  EXPECT_GT(Hear({{0.0, 0.0, kStep.theta}})->gain_rad, 2.0);
+}
+
+TEST_F(WheelTrustOnADrive, WheelsThatHaveToldAWayOnceAreBelievedThatThereIsNone) {
+  DriveWell(1);
+  const std::optional<WheelMotion> guess = Hear({{0.0, 0.0, kStep.theta}});
+  EXPECT_TRUE((guess->motion == SE2{0.0, 0.0, kStep.theta}));
+  EXPECT_TRUE(guess->tells_way);
+  EXPECT_FALSE(trust_.tells_turns_only());
 }
 
 // Readings that come every second scan: nothing, then two steps at once.
