@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 
 # The first line, or the second one behind that of the interpreter.
 find CMakeLists.txt backend experiments frontend plugins tests -name __pycache__ -prune -o -type f \( \
-  -name '*.h' -o -name '*.cc' -o -name '*.c' -o -name '*.py' -o -name '*.sh' -o -name CMakeLists.txt \
+  -name '*.h' -o -name '*.cc' -o -name '*.c' -o -name '*.py' -o -name '*.sh' -o -name '*.cmake' -o -name CMakeLists.txt \
   \) -print0 | xargs -0 awk -v id="SPDX-License-Identifier: BSD-3-Clause" '
   FNR == 1 && /^#!/ { next }
   { if ($0 != "// " id && $0 != "# " id) { print FILENAME ": expected " id; missing = 1 } nextfile }

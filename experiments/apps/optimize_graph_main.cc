@@ -159,8 +159,9 @@ void Run() {
 }
 
 FlagGroups AllFlagGroups() {
-  const FlagGroups output = {
-      {"output", "Input and output", {"input", "output", "png", "strict", "verbose", "list_backends"}}};
+  const FlagGroups output = {{"output",
+                              "Input and output",
+                              {"input", "output", "png", "strict", "verbose", "list_backends"}}};
   return Join({output, BackendFlagGroups()});
 }
 

@@ -1,5 +1,5 @@
 // How a graph thread ends: its function is destroyed when neither the object nor its thread is
-// there any more.
+// there any more. What it refuses is here too.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -92,6 +92,21 @@ TEST_F(GraphThreadEnd, LeavesWhatHangsToItself) {
   EXPECT_FALSE(IsReady(ended_));
   gate_->opened.count_down();
   ended_.wait();
+}
+
+using GraphThreadDeathTest = GraphThreadEnd;
+
+TEST_F(GraphThreadDeathTest, OptimizesOneSnapshotAtATime) {
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  const std::unique_ptr<GraphThread> thread = MakeThread(kForEver);
+  thread->Start({});
+  EXPECT_DEATH(thread->Start({}), "busy");
+  gate_->opened.count_down();
+}
+
+TEST_F(GraphThreadDeathTest, LockstepNeedsAtLeastOneScan) {
+  testing::GTEST_FLAG(death_test_style) = "threadsafe";
+  EXPECT_DEATH(GraphThread({.lockstep_scans = 0}, &health_, {}), "lockstep_scans");
 }
 
 }  // namespace

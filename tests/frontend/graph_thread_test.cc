@@ -66,10 +66,14 @@ std::optional<PoseGraph> TryUntilTaken(GraphThread* thread) {
   return std::nullopt;
 }
 
-TEST(GraphThread, LockstepTakesTheResultAtTheNthScanThoughItWasThereBefore) {
+class GraphThreadTest : public testing::Test {
+ protected:
+  Health health_;
+};
+
+TEST_F(GraphThreadTest, LockstepTakesTheResultAtTheNthScanThoughItWasThereBefore) {
   std::binary_semaphore done{0};
-  Health health;
-  GraphThread thread(Lockstep(5), &health, [&done](PoseGraph* graph) {
+  GraphThread thread(Lockstep(5), &health_, [&done](PoseGraph* graph) {
     graph->nodes.at(0).world_T_node.x += 1.0;
     done.release();
     return Ended(Termination::kConverged);
@@ -87,10 +91,9 @@ TEST(GraphThread, LockstepTakesTheResultAtTheNthScanThoughItWasThereBefore) {
   EXPECT_FALSE(thread.TakeIfDue(0.0));
 }
 
-TEST(GraphThread, LockstepWaitsAtTheNthScanForASlowBackEnd) {
+TEST_F(GraphThreadTest, LockstepWaitsAtTheNthScanForASlowBackEnd) {
   const Backend backend;
-  Health health;
-  GraphThread thread(Lockstep(3), &health, backend.Function());
+  GraphThread thread(Lockstep(3), &health_, backend.Function());
   thread.Start(GraphAt(10));
   EXPECT_FALSE(thread.TakeIfDue(0.0));
   EXPECT_FALSE(thread.TakeIfDue(0.0));
@@ -101,11 +104,10 @@ TEST(GraphThread, LockstepWaitsAtTheNthScanForASlowBackEnd) {
   EXPECT_EQ(thread.counts().late, 0);
 }
 
-TEST(GraphThread, LockstepCountsFromTheLatestStart) {
+TEST_F(GraphThreadTest, LockstepCountsFromTheLatestStart) {
   const Backend backend;
   backend.Allow(3);
-  Health health;
-  GraphThread thread(Lockstep(2), &health, backend.Function());
+  GraphThread thread(Lockstep(2), &health_, backend.Function());
   for (int round = 0; round < 3; ++round) {
     EXPECT_FALSE(thread.TakeIfDue(0.0)) << "nothing was started";
     thread.Start(GraphAt(round));
@@ -118,10 +120,9 @@ TEST(GraphThread, LockstepCountsFromTheLatestStart) {
   EXPECT_EQ(thread.counts().taken, 3);
 }
 
-TEST(GraphThread, InlineWaitsAtTheNextScan) {
+TEST_F(GraphThreadTest, InlineWaitsAtTheNextScan) {
   const Backend backend;
-  Health health;
-  GraphThread thread({GraphThread::Mode::kInline, 10, 60.0}, &health, backend.Function());
+  GraphThread thread({GraphThread::Mode::kInline, 10, 60.0}, &health_, backend.Function());
   thread.Start(GraphAt(10));
   const std::jthread allow([&backend] { backend.Allow(); });
   const std::optional<PoseGraph> taken = thread.TakeIfDue(0.0);
@@ -129,10 +130,9 @@ TEST(GraphThread, InlineWaitsAtTheNextScan) {
   EXPECT_EQ(XOf(*taken), 11);
 }
 
-TEST(GraphThread, AsyncDoesNotWaitAndTakesTheResultWhenItIsThere) {
+TEST_F(GraphThreadTest, AsyncDoesNotWaitAndTakesTheResultWhenItIsThere) {
   const Backend backend;
-  Health health;
-  GraphThread thread({GraphThread::Mode::kAsync, 2, 60.0}, &health, backend.Function());
+  GraphThread thread({GraphThread::Mode::kAsync, 2, 60.0}, &health_, backend.Function());
   thread.Start(GraphAt(10));
   for (int scan = 0; scan < 20; ++scan) EXPECT_FALSE(thread.TakeIfDue(0.0));
   EXPECT_TRUE(thread.busy());
@@ -143,10 +143,9 @@ TEST(GraphThread, AsyncDoesNotWaitAndTakesTheResultWhenItIsThere) {
   EXPECT_EQ(thread.counts().late, 0);
 }
 
-TEST(GraphThread, FailureCostsOnlyItsResult) {
+TEST_F(GraphThreadTest, FailureCostsOnlyItsResult) {
   int calls = 0;
-  Health health;
-  GraphThread thread(Lockstep(2), &health, [&calls](PoseGraph* graph) -> Summary {
+  GraphThread thread(Lockstep(2), &health_, [&calls](PoseGraph* graph) -> Summary {
     graph->nodes.at(0).world_T_node.x += 1.0;
     switch (++calls) {
       case 1:
@@ -174,11 +173,11 @@ TEST(GraphThread, FailureCostsOnlyItsResult) {
   EXPECT_EQ(thread.counts().started, 4);
   EXPECT_EQ(thread.counts().taken, 1);
   EXPECT_EQ(thread.counts().failed, 3);
-  EXPECT_EQ(CountOf(health, "backend_failed"), 3);
-  EXPECT_EQ(CountOf(health, "backend_not_converged"), 1);
+  EXPECT_EQ(CountOf(health_, "backend_failed"), 3);
+  EXPECT_EQ(CountOf(health_, "backend_not_converged"), 1);
 }
 
-TEST(GraphThread, GoesOnWithoutABackEndThatHangsAndTakesItsResultWhenItComes) {
+TEST_F(GraphThreadTest, GoesOnWithoutABackEndThatHangsAndTakesItsResultWhenItComes) {
   for (const GraphThread::Mode mode : {GraphThread::Mode::kLockstep, GraphThread::Mode::kInline}) {
     const Backend backend;
     Health health;
@@ -202,10 +201,9 @@ TEST(GraphThread, GoesOnWithoutABackEndThatHangsAndTakesItsResultWhenItComes) {
   }
 }
 
-TEST(GraphThread, WaitsForABackEndThatHangsOnlyOnce) {
+TEST_F(GraphThreadTest, WaitsForABackEndThatHangsOnlyOnce) {
   const Backend backend;
-  Health health;
-  GraphThread thread(Lockstep(1, 0.1), &health, backend.Function());
+  GraphThread thread(Lockstep(1, 0.1), &health_, backend.Function());
   thread.Start(GraphAt(10));
   const auto start = std::chrono::steady_clock::now();
   EXPECT_FALSE(thread.TakeIfDue(0.0));
@@ -215,23 +213,21 @@ TEST(GraphThread, WaitsForABackEndThatHangsOnlyOnce) {
   backend.Allow();
 }
 
-TEST(GraphThread, TimeoutOfZeroTakesWhatIsThere) {
+TEST_F(GraphThreadTest, TimeoutOfZeroTakesWhatIsThere) {
   for (const GraphThread::Mode mode :
        {GraphThread::Mode::kLockstep, GraphThread::Mode::kInline, GraphThread::Mode::kAsync}) {
     const Backend backend;
     backend.Allow();
-    Health health;
-    GraphThread thread({mode, 2, 0.0}, &health, backend.Function());
+    GraphThread thread({mode, 2, 0.0}, &health_, backend.Function());
     thread.Start(GraphAt(10));
     EXPECT_TRUE(TryUntilTaken(&thread)) << static_cast<int>(mode);
   }
 }
 
-TEST(GraphThread, FinishTakesWhatRunsBeforeItIsDue) {
+TEST_F(GraphThreadTest, FinishTakesWhatRunsBeforeItIsDue) {
   const Backend backend;
   backend.Allow();
-  Health health;
-  GraphThread thread(Lockstep(100), &health, backend.Function());
+  GraphThread thread(Lockstep(100), &health_, backend.Function());
   EXPECT_FALSE(thread.Finish()) << "nothing was started";
   thread.Start(GraphAt(10));
   const std::optional<PoseGraph> taken = thread.Finish();
@@ -240,10 +236,9 @@ TEST(GraphThread, FinishTakesWhatRunsBeforeItIsDue) {
   EXPECT_FALSE(thread.Finish());
 }
 
-TEST(GraphThread, FinishGivesUpOnABackEndThatHangs) {
+TEST_F(GraphThreadTest, FinishGivesUpOnABackEndThatHangs) {
   const Backend backend;
-  Health health;
-  GraphThread thread(Lockstep(100, 0.005), &health, backend.Function());
+  GraphThread thread(Lockstep(100, 0.005), &health_, backend.Function());
   thread.Start(GraphAt(10));
   EXPECT_FALSE(thread.Finish());
   EXPECT_TRUE(thread.busy());
@@ -252,11 +247,10 @@ TEST(GraphThread, FinishGivesUpOnABackEndThatHangs) {
   backend.Allow();
 }
 
-TEST(GraphThread, RunWaitsForTheResult) {
+TEST_F(GraphThreadTest, RunWaitsForTheResult) {
   const Backend backend;
   backend.Allow(2);
-  Health health;
-  GraphThread thread(Lockstep(100), &health, backend.Function());
+  GraphThread thread(Lockstep(100), &health_, backend.Function());
   for (int run = 0; run < 2; ++run) {
     const std::optional<PoseGraph> optimized = thread.Run(GraphAt(run));
     ASSERT_TRUE(optimized);
@@ -265,55 +259,36 @@ TEST(GraphThread, RunWaitsForTheResult) {
   }
 }
 
-TEST(GraphThread, RunGivesNothingWhileTheBackEndHangs) {
+TEST_F(GraphThreadTest, RunGivesNothingWhileTheBackEndHangs) {
   const Backend backend;
-  Health health;
-  GraphThread thread(Lockstep(1, 0.005), &health, backend.Function());
+  GraphThread thread(Lockstep(1, 0.005), &health_, backend.Function());
   thread.Start(GraphAt(10));
   EXPECT_FALSE(thread.Run(GraphAt(20)));
   EXPECT_EQ(thread.counts().started, 1);
-  EXPECT_EQ(CountOf(health, "backend_busy"), 1);
+  EXPECT_EQ(CountOf(health_, "backend_busy"), 1);
   backend.Allow();
 }
 
-TEST(GraphThreadDeathTest, OptimizesOneSnapshotAtATime) {
-  testing::GTEST_FLAG(death_test_style) = "threadsafe";
-  const Backend backend;
-  backend.Allow();
-  Health health;
-  GraphThread thread(Lockstep(1), &health, backend.Function());
-  thread.Start(GraphAt(10));
-  EXPECT_DEATH(thread.Start(GraphAt(20)), "busy");
-}
-
-TEST(GraphThread, ReportsWithTheStampOfTheLatestScan) {
-  Health health;
-  GraphThread thread(Lockstep(1), &health, [](PoseGraph*) { return Summary{}; });
+TEST_F(GraphThreadTest, ReportsWithTheStampOfTheLatestScan) {
+  GraphThread thread(Lockstep(1), &health_, [](PoseGraph*) { return Summary{}; });
   for (const double stamp_s : {12.5, 13.5}) {
     thread.Start(GraphAt(10));
     EXPECT_FALSE(thread.TakeIfDue(stamp_s));
   }
   EXPECT_FALSE(thread.Run(GraphAt(10)));
-  const Finding& failed = health.findings().at("backend_failed");
+  const Finding& failed = health_.findings().at("backend_failed");
   EXPECT_EQ(failed.count, 3);
   EXPECT_EQ(failed.first_stamp_s, 12.5);
   EXPECT_EQ(failed.last_stamp_s, 13.5);
 }
 
-TEST(GraphThread, ABackEndThatConvergesIsNothingToReport) {
+TEST_F(GraphThreadTest, ABackEndThatConvergesIsNothingToReport) {
   const Backend backend;
   backend.Allow();
-  Health health;
-  GraphThread thread(Lockstep(1), &health, backend.Function());
+  GraphThread thread(Lockstep(1), &health_, backend.Function());
   thread.Start(GraphAt(10));
   EXPECT_TRUE(thread.TakeIfDue(0.0));
-  EXPECT_TRUE(health.findings().empty());
-}
-
-TEST(GraphThreadDeathTest, LockstepNeedsAtLeastOneScan) {
-  testing::GTEST_FLAG(death_test_style) = "threadsafe";
-  Health health;
-  EXPECT_DEATH(GraphThread(Lockstep(0), &health, Backend().Function()), "lockstep_scans");
+  EXPECT_TRUE(health_.findings().empty());
 }
 
 }  // namespace
