@@ -93,7 +93,7 @@ class GraphThread {
 
   Options options_;
   Health* health_;
-  double stamp_s_ = 0.0;  // of the latest scan
+  double stamp_s_ = 0.0;                              // of the latest scan
   std::shared_ptr<const OptimizeFunction> optimize_;  // shared with what is left to itself
   std::future<Result> result_;
   std::jthread thread_;

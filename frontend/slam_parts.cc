@@ -184,7 +184,7 @@ std::shared_ptr<const scan_matching::ScanMatcher> MakeScanMatcher(const SlamOpti
 }
 
 GraphThread::OptimizeFunction BindOptimizer(const SlamOptions& options,
-                                             std::shared_ptr<backend::Optimizer> optimizer) {
+                                            std::shared_ptr<backend::Optimizer> optimizer) {
   return [graduated = options.gnc, how = options.optimizer,
           optimizer = std::move(optimizer)](backend::PoseGraph* graph) {
     return backend::Optimize(how, graduated, optimizer.get(), graph);
