@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/counter_random.h"
 
 #include <Random123/philox.h>

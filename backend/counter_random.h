@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Counter-based random numbers: each draw is a function of its address alone.
 #ifndef GMAPPING_SPA_BACKEND_COUNTER_RANDOM_H_
 #define GMAPPING_SPA_BACKEND_COUNTER_RANDOM_H_

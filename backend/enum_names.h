@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Names of the values of an enum, as command lines and files have them.
 //
 //   constexpr EnumName<LossKind> kNames[] = {{"none", LossKind::kNone}, ...};

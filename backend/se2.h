@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // SE(2), the group of rigid motions in the plane.
 //
 // Frames are named as in world_T_robot: it maps coordinates in `robot` to coordinates in `world`,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What all readers and writers of text have in common. Numbers are those of std::from_chars and
 // std::to_chars: the same in every locale.
 #ifndef GMAPPING_SPA_BACKEND_TEXT_H_

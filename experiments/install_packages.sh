@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs the packages of Debian 12 or Ubuntu 24.04 that the project needs, where they are missing and
 # this user may.
 #   install_packages.sh [checks] [docs] [experiments] [slurm]

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # From a fresh clone to a map: installs what is missing, builds, simulates a robot in a building,
 # runs SLAM on its log and compares the result with the truth.
 #   experiments/quickstart.sh [output folder] [flags of gmapping_spa...]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a run has to say about loop closures when all scans are in.
 #ifndef GMAPPING_SPA_FRONTEND_CLOSURE_FINDINGS_H_
 #define GMAPPING_SPA_FRONTEND_CLOSURE_FINDINGS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/control_input.h"
 
 #include <algorithm>
@@ -109,16 +110,17 @@ void ControlInput::ReportSweep(double stamp_s) {
                       "; they are deskewed from here on, all of them in the end");
 }
 
-// Once.
+// Once, when the numbers are more than rounding.
 void ControlInput::ReportCalibration(double stamp_s) {
   const WheelCalibration& calibration = lidar_odometry_.wheel_calibration();
-  if (has_reported_calibration_ || !calibration.corrects()) return;
+  const double deg_per_m = kDegPerRad * calibration.rad_per_m();
+  const double percent = 100.0 * calibration.rad_per_rad();
+  if (has_reported_calibration_ || (std::abs(deg_per_m) < 0.1 && std::abs(percent) < 0.5)) return;
   has_reported_calibration_ = true;
   health_->Report("odometry_calibrated", stamp_s,
                   "the odometry turns wrong all the time, by about " +
-                      backend::FixedText(-kDegPerRad * calibration.rad_per_m(), 1) +
-                      " deg per m driven and " +
-                      backend::FixedText(-100.0 * calibration.rad_per_rad(), 1) +
+                      backend::FixedText(-deg_per_m, 1) + " deg per m driven and " +
+                      backend::FixedText(-percent, 1) +
                       " % of its turns so far; that is corrected, and learned on, from here on");
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The control input of the filter: how the robot moved from scan to scan.
 #ifndef GMAPPING_SPA_FRONTEND_CONTROL_INPUT_H_
 #define GMAPPING_SPA_FRONTEND_CONTROL_INPUT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The final estimate, when all scans are in.
 #ifndef GMAPPING_SPA_FRONTEND_FINAL_OPTIMIZATION_H_
 #define GMAPPING_SPA_FRONTEND_FINAL_OPTIMIZATION_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // When the back end runs and when its result is taken over.
 #ifndef GMAPPING_SPA_FRONTEND_GRAPH_THREAD_H_
 #define GMAPPING_SPA_FRONTEND_GRAPH_THREAD_H_

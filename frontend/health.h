@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a run noticed that its user should know: bad input, lost and ambiguous stretches.
 #ifndef GMAPPING_SPA_FRONTEND_HEALTH_H_
 #define GMAPPING_SPA_FRONTEND_HEALTH_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Improved GMapping: from laser scans to a trajectory, a map and a pose graph.
 #ifndef GMAPPING_SPA_FRONTEND_IMPROVED_GMAPPING_H_
 #define GMAPPING_SPA_FRONTEND_IMPROVED_GMAPPING_H_

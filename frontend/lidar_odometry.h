@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Odometry by matching every scan with what was seen on the last metres.
 #ifndef GMAPPING_SPA_FRONTEND_LIDAR_ODOMETRY_H_
 #define GMAPPING_SPA_FRONTEND_LIDAR_ODOMETRY_H_

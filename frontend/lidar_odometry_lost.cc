@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a robot does whose scans fit nothing that it has seen before.
 #include <memory>
 #include <optional>

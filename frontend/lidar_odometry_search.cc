@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where a scan may fit that does not fit where it was expected.
 #include <algorithm>
 #include <cmath>

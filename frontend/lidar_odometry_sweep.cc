@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Scans of a laser that turns slowly, while the robot moves.
 #include <algorithm>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Guards against odometry that jumps kilometres.
 #ifndef GMAPPING_SPA_FRONTEND_MAP_AREA_H_
 #define GMAPPING_SPA_FRONTEND_MAP_AREA_H_

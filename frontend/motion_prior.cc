@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/motion_prior.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is known about the motion between two scans before the second one is looked at.
 #ifndef GMAPPING_SPA_FRONTEND_MOTION_PRIOR_H_
 #define GMAPPING_SPA_FRONTEND_MOTION_PRIOR_H_

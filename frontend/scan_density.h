@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How much of a dense scan a scan of few beams is worth.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_DENSITY_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_DENSITY_H_

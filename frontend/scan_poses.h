@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Poses of all scans, those between the updates of the filter included.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_POSES_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_POSES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From the options of SLAM to its parts: what several parts share is handed down here, and only
 // here.
 #ifndef GMAPPING_SPA_FRONTEND_SLAM_PARTS_H_

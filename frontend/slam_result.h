@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What SLAM is after.
 #ifndef GMAPPING_SPA_FRONTEND_SLAM_RESULT_H_
 #define GMAPPING_SPA_FRONTEND_SLAM_RESULT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/sliding_map.h"
 
 #include <glog/logging.h>

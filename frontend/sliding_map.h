@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The map of the last metres, for lidar odometry.
 #ifndef GMAPPING_SPA_FRONTEND_SLIDING_MAP_H_
 #define GMAPPING_SPA_FRONTEND_SLIDING_MAP_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Tells odometry that stands still while the robot moves, from what the scans see alone.
 #ifndef GMAPPING_SPA_FRONTEND_STAND_STILL_H_
 #define GMAPPING_SPA_FRONTEND_STAND_STILL_H_

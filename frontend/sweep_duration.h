@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How long the laser takes for a scan, learned from how scans bend when the robot turns.
 #ifndef GMAPPING_SPA_FRONTEND_SWEEP_DURATION_H_
 #define GMAPPING_SPA_FRONTEND_SWEEP_DURATION_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the wheels get wrong all the time: wheels of unequal size, a wrong track width.
 #ifndef GMAPPING_SPA_FRONTEND_WHEEL_CALIBRATION_H_
 #define GMAPPING_SPA_FRONTEND_WHEEL_CALIBRATION_H_

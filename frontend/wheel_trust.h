@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How far the wheels are to be believed, learned from how well they predict the scans.
 #ifndef GMAPPING_SPA_FRONTEND_WHEEL_TRUST_H_
 #define GMAPPING_SPA_FRONTEND_WHEEL_TRUST_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which back ends this build has.
 #ifndef GMAPPING_SPA_TESTS_BUILT_BACK_ENDS_H_
 #define GMAPPING_SPA_TESTS_BUILT_BACK_ENDS_H_

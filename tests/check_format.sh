@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Fails where a source does not begin with its licence, or a C++ source is not formatted as .clang-format says.
 # Needs the clang-format of Debian 12: other versions format differently. To mend:
 # git ls-files '*.h' '*.cc' | xargs clang-format -i

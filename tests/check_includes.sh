@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Fails where an include leads backwards: between the top folders, or between the rooms of backend, whose
 # order is that of the table in its README.
 set -euo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs clang-tidy with the checks in .clang-tidy; a finding fails. A file takes 6 to 15 s of CPU.
 #   tests/check_tidy.sh                  the back end, which stands for the rest
 #   tests/check_tidy.sh --since COMMIT   sources that differ from that commit

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a program complains about.
 #ifndef GMAPPING_SPA_TESTS_COMMAND_ERROR_H_
 #define GMAPPING_SPA_TESTS_COMMAND_ERROR_H_

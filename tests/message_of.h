@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a call complains about.
 #ifndef GMAPPING_SPA_TESTS_MESSAGE_OF_H_
 #define GMAPPING_SPA_TESTS_MESSAGE_OF_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where tests find the real data sets, which are not part of the project.
 #ifndef GMAPPING_SPA_TESTS_REAL_DATA_H_
 #define GMAPPING_SPA_TESTS_REAL_DATA_H_

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs what is missing, builds, and runs every test.
 #   tests/run.sh          the format, a sample of clang-tidy, the release build and all tests; then the
 #                         sanitizers: short tests with ASan and UBSan, those with threads with TSan

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs a program of the build as a user would.
 #ifndef GMAPPING_SPA_TESTS_RUN_COMMAND_H_
 #define GMAPPING_SPA_TESTS_RUN_COMMAND_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A place for the files of a test.
 #ifndef GMAPPING_SPA_TESTS_TEMPORARY_FOLDER_H_
 #define GMAPPING_SPA_TESTS_TEMPORARY_FOLDER_H_

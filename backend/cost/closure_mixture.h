@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How likely each loop closure of a graph is right.
 #ifndef GMAPPING_SPA_BACKEND_COST_CLOSURE_MIXTURE_H_
 #define GMAPPING_SPA_BACKEND_COST_CLOSURE_MIXTURE_H_

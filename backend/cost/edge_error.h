@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The error of one edge and its derivatives, shared by every solver.
 #ifndef GMAPPING_SPA_BACKEND_COST_EDGE_ERROR_H_
 #define GMAPPING_SPA_BACKEND_COST_EDGE_ERROR_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The cost that every optimizer lowers, computed apart from all of them.
 #ifndef GMAPPING_SPA_BACKEND_COST_GRAPH_COST_H_
 #define GMAPPING_SPA_BACKEND_COST_GRAPH_COST_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Robust losses: what wrong loop closures may cost.
 #ifndef GMAPPING_SPA_BACKEND_COST_ROBUST_LOSS_H_
 #define GMAPPING_SPA_BACKEND_COST_ROBUST_LOSS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pose graphs in the .g2o format and in its predecessor, TORO's .graph.
 #ifndef GMAPPING_SPA_BACKEND_GRAPH_G2O_IO_H_
 #define GMAPPING_SPA_BACKEND_GRAPH_G2O_IO_H_

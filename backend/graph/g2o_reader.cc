@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/graph/g2o_reader.h"
 
 #include <Eigen/Eigenvalues>

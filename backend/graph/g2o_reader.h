@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The records of .g2o files and of what resembles them, one by one.
 #ifndef GMAPPING_SPA_BACKEND_GRAPH_G2O_READER_H_
 #define GMAPPING_SPA_BACKEND_GRAPH_G2O_READER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Positions instead of ids: what every algorithm on a pose graph starts with.
 #ifndef GMAPPING_SPA_BACKEND_GRAPH_GRAPH_INDEX_H_
 #define GMAPPING_SPA_BACKEND_GRAPH_GRAPH_INDEX_H_

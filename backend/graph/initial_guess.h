@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Initial poses by chaining measurements.
 #ifndef GMAPPING_SPA_BACKEND_GRAPH_INITIAL_GUESS_H_
 #define GMAPPING_SPA_BACKEND_GRAPH_INITIAL_GUESS_H_

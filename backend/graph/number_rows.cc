@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/graph/number_rows.h"
 
 #include <optional>

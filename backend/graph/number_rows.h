@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Text files that hold one row of numbers a line, such as TUM trajectories.
 #ifndef GMAPPING_SPA_BACKEND_GRAPH_NUMBER_ROWS_H_
 #define GMAPPING_SPA_BACKEND_GRAPH_NUMBER_ROWS_H_

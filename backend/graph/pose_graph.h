@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The pose graph: what a front end emits and a back end optimizes. Plain data.
 #ifndef GMAPPING_SPA_BACKEND_GRAPH_POSE_GRAPH_H_
 #define GMAPPING_SPA_BACKEND_GRAPH_POSE_GRAPH_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where a front end emits its pose graph, node by node and edge by edge.
 #ifndef GMAPPING_SPA_BACKEND_GRAPH_POSE_GRAPH_SINK_H_
 #define GMAPPING_SPA_BACKEND_GRAPH_POSE_GRAPH_SINK_H_

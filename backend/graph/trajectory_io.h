@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Trajectories in the TUM format: "stamp x y z qx qy qz qw", one pose a line.
 #ifndef GMAPPING_SPA_BACKEND_GRAPH_TRAJECTORY_IO_H_
 #define GMAPPING_SPA_BACKEND_GRAPH_TRAJECTORY_IO_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Initial poses from the chordal relaxation: no start needed, so no wrong basin to start in.
 #ifndef GMAPPING_SPA_BACKEND_INITIALIZATION_CHORDAL_INITIALIZATION_H_
 #define GMAPPING_SPA_BACKEND_INITIALIZATION_CHORDAL_INITIALIZATION_H_

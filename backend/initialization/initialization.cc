@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/initialization/initialization.h"
 
 #include "backend/enum_names.h"

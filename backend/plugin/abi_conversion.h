@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Between the C of plugin_abi.h and the types of this library. Nodes and edges lie in memory alike
 // on both sides, so that a graph crosses without being copied.
 #ifndef GMAPPING_SPA_BACKEND_PLUGIN_ABI_CONVERSION_H_

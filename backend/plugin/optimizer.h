@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The back end interface: what improves the poses of a graph.
 #ifndef GMAPPING_SPA_BACKEND_PLUGIN_OPTIMIZER_H_
 #define GMAPPING_SPA_BACKEND_PLUGIN_OPTIMIZER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // For authors of back ends: makes a plugin of a backend::Optimizer. plugins/README.md tells how.
 #ifndef GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_H_
 #define GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /* What crosses the boundary between this software and a back end in a shared library: plain C, so
  * that the two may come from different compilers, languages and settings. Authors in C++ use
  * plugin.h instead. All strings end with a zero byte; they and all arrays belong to the side that

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Finds and loads back ends.
 #ifndef GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_LOADER_H_
 #define GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_LOADER_H_

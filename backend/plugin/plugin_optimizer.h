@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An optimizer on the other side of a plugin's boundary.
 #ifndef GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_OPTIMIZER_H_
 #define GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_OPTIMIZER_H_

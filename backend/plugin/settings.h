@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A back end's own options: described once, checked before a run, read by the optimizer.
 #ifndef GMAPPING_SPA_BACKEND_PLUGIN_SETTINGS_H_
 #define GMAPPING_SPA_BACKEND_PLUGIN_SETTINGS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Graduated non-convexity on top of any optimizer.
 #ifndef GMAPPING_SPA_BACKEND_SCHEDULING_GRADUATED_NON_CONVEXITY_H_
 #define GMAPPING_SPA_BACKEND_SCHEDULING_GRADUATED_NON_CONVEXITY_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Optimizing a graph under any loss.
 #ifndef GMAPPING_SPA_BACKEND_SCHEDULING_OPTIMIZE_H_
 #define GMAPPING_SPA_BACKEND_SCHEDULING_OPTIMIZE_H_

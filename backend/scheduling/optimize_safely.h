@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Calling an optimizer that may misbehave.
 #ifndef GMAPPING_SPA_BACKEND_SCHEDULING_OPTIMIZE_SAFELY_H_
 #define GMAPPING_SPA_BACKEND_SCHEDULING_OPTIMIZE_SAFELY_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/scheduling/robust_optimization.h"
 
 #include <algorithm>

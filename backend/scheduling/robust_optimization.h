@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Optimizing a graph some of whose loop closures are wrong, without anything to tune.
 #ifndef GMAPPING_SPA_BACKEND_SCHEDULING_ROBUST_OPTIMIZATION_H_
 #define GMAPPING_SPA_BACKEND_SCHEDULING_ROBUST_OPTIMIZATION_H_

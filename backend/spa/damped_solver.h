@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The linear system of a Levenberg-Marquardt step.
 #ifndef GMAPPING_SPA_BACKEND_SPA_DAMPED_SOLVER_H_
 #define GMAPPING_SPA_BACKEND_SPA_DAMPED_SOLVER_H_

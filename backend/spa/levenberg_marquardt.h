@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Levenberg-Marquardt that is Gauss-Newton wherever that works.
 #ifndef GMAPPING_SPA_BACKEND_SPA_LEVENBERG_MARQUARDT_H_
 #define GMAPPING_SPA_BACKEND_SPA_LEVENBERG_MARQUARDT_H_

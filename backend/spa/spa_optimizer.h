@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sparse Pose Adjustment.
 #ifndef GMAPPING_SPA_BACKEND_SPA_SPA_OPTIMIZER_H_
 #define GMAPPING_SPA_BACKEND_SPA_SPA_OPTIMIZER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/sparse/block_cholesky.h"
 
 #include <cmath>

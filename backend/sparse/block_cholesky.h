@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sparse Cholesky factorization of a matrix of small dense blocks.
 #ifndef GMAPPING_SPA_BACKEND_SPARSE_BLOCK_CHOLESKY_H_
 #define GMAPPING_SPA_BACKEND_SPARSE_BLOCK_CHOLESKY_H_

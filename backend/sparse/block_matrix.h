@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The blocks of a symmetric matrix with the pattern of a BlockStructure.
 #ifndef GMAPPING_SPA_BACKEND_SPARSE_BLOCK_MATRIX_H_
 #define GMAPPING_SPA_BACKEND_SPARSE_BLOCK_MATRIX_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the blocks of the normal equations and of their Cholesky factor are.
 #ifndef GMAPPING_SPA_BACKEND_SPARSE_BLOCK_STRUCTURE_H_
 #define GMAPPING_SPA_BACKEND_SPARSE_BLOCK_STRUCTURE_H_

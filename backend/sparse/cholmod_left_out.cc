@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Stands for cholmod_solver.cc in a build without CHOLMOD, whose settings do not offer it.
 #include <stdexcept>
 

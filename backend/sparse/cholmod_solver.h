@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // CHOLMOD on the normal equations.
 #ifndef GMAPPING_SPA_BACKEND_SPARSE_CHOLMOD_SOLVER_H_
 #define GMAPPING_SPA_BACKEND_SPARSE_CHOLMOD_SOLVER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/sparse/graph_structure.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The ordering and the symbolic factorization of a graph, kept while the graph grows.
 #ifndef GMAPPING_SPA_BACKEND_SPARSE_GRAPH_STRUCTURE_H_
 #define GMAPPING_SPA_BACKEND_SPARSE_GRAPH_STRUCTURE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The normal equations of a linearised pose graph.
 #ifndef GMAPPING_SPA_BACKEND_SPARSE_NORMAL_EQUATIONS_H_
 #define GMAPPING_SPA_BACKEND_SPARSE_NORMAL_EQUATIONS_H_

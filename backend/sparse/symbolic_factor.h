@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Symbolic Cholesky factorization: the pattern of the factor.
 #ifndef GMAPPING_SPA_BACKEND_SPARSE_SYMBOLIC_FACTOR_H_
 #define GMAPPING_SPA_BACKEND_SPARSE_SYMBOLIC_FACTOR_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What every executable shares: start-up, error reporting, interruption.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_APP_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_APP_H_

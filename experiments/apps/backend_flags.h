@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The back end that the flags of a command line ask for.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_BACKEND_FLAGS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_BACKEND_FLAGS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Loop closures as a table.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_CLOSURE_TABLE_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_CLOSURE_TABLE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/apps/command_line.h"
 
 #include <gflags/gflags.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which of several values of a flag counts.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_COMMAND_LINE_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_COMMAND_LINE_H_

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Writes OUTPUT, a source that tells which commit the folder SOURCE holds: "unknown" where it is no
 # repository itself, as from a tarball. cmake -DSOURCE=... -DOUTPUT=... -P commit.cmake
 cmake_path(GET SOURCE PARENT_PATH parent)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The errors of a map as a picture for people.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_ERROR_PICTURE_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_ERROR_PICTURE_H_

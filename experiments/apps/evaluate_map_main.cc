@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Compares a map with the true one, as far as the robot could have seen it, and prints the errors
 // as JSON.
 #include <gflags/gflags.h>

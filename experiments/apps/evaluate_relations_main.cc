@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Scores a trajectory by the relations benchmark and prints the numbers as JSON.
 #include <gflags/gflags.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Compares a trajectory with the true one and prints the errors as JSON.
 #include <gflags/gflags.h>
 

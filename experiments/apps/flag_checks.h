@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Limits of flag values.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_CHECKS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_CHECKS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reads the files that --flagfile names.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_FILES_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_FILES_H_

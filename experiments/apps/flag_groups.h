@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The flags of a program in groups: what --help, run.json, the flags reference and the studies
 // read.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_GROUPS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What --help and --helpxml print. gflags' own list the flags of all libraries, and know no groups.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_HELP_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_HELP_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A flag as it is written on a command line or on a line of a file.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_WORDS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_FLAG_WORDS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs SLAM on a sensor log and writes trajectory, map, picture, pose graph and run record.
 #include <gflags/gflags.h>
 

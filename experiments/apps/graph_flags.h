@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Flags of the pose graph: its edges, loop closures, graph thread, correction, final optimization.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_GRAPH_FLAGS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_GRAPH_FLAGS_H_

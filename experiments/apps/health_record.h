@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a run noticed, for run.json and for people.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_HEALTH_RECORD_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_HEALTH_RECORD_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/apps/input_file.h"
 
 #include <openssl/evp.h>

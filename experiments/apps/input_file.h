@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Opening input files, plain or gzipped.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_INPUT_FILE_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_INPUT_FILE_H_

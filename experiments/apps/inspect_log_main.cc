@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Says what a sensor log holds, before anybody makes a map of it.
 #include <gflags/gflags.h>
 

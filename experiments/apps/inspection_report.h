@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What inspect_log says of a log.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_INSPECTION_REPORT_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_INSPECTION_REPORT_H_

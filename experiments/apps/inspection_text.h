@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The report of inspect_log as text.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_INSPECTION_TEXT_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_INSPECTION_TEXT_H_

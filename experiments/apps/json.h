@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How results are printed as JSON.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_JSON_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_JSON_H_

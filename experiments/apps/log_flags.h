@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Flags that say how a sensor log is read.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_LOG_FLAGS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_LOG_FLAGS_H_

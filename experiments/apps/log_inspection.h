@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a sensor log holds, seen scan by scan.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_LOG_INSPECTION_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_LOG_INSPECTION_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A map and a trajectory as a picture for people.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_MAP_PICTURE_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_MAP_PICTURE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Optimizes a pose graph with any back end and prints the summary as JSON.
 #include <gflags/gflags.h>
 #include <glog/logging.h>

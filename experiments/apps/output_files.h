@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Output files that appear whole or not at all.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_OUTPUT_FILES_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_OUTPUT_FILES_H_

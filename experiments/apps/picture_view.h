@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The part of the world that a picture shows.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_PICTURE_VIEW_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_PICTURE_VIEW_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A canvas for cairo that ends up in a PNG file.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_PNG_CANVAS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_PNG_CANVAS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Progress of long work, for people.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_PROGRESS_BAR_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_PROGRESS_BAR_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Flags that had another name.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_RENAMED_FLAGS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_RENAMED_FLAGS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/apps/run_record.h"
 
 #include <gflags/gflags.h>

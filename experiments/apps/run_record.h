@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // run.json: what was run on what, and what came of it.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_RUN_RECORD_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_RUN_RECORD_H_

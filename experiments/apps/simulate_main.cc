@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Simulates a robot's tour of a building: its sensor log, its true trajectory and the true map.
 #include <gflags/gflags.h>
 #include <glog/logging.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs SLAM on a simulated robot, without a log in between.
 #include <gflags/gflags.h>
 

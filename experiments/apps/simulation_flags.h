@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Flags of the simulated robot, for every executable that runs it.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_SIMULATION_FLAGS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_SIMULATION_FLAGS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Flags of the SLAM algorithm: the members of SlamOptions, and its defaults.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_FLAGS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_FLAGS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A run of SLAM as flags describe it, from the first scan to the files of results.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_RUN_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_RUN_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/apps/trajectory_drawing.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A trajectory and its doubtful stretches, drawn for people.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_TRAJECTORY_DRAWING_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_TRAJECTORY_DRAWING_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Trajectories from files, with errors that name the files.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_TRAJECTORY_FILES_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_TRAJECTORY_FILES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which version of the project a program is.
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_VERSION_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_VERSION_H_

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs backends_bench and writes its results into the table of README.md beside this file.
 
 Usage: backends.py BENCH_EXECUTABLE FOLDER_OF_GRAPHS

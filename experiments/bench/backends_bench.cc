@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Benchmarks of all back ends on the public pose graphs; backends.py makes the table of README.md
 // of it. Every run is a new optimizer from the odometry start: ordering, symbolic analysis and
 // initialization included, loading the graph and the plugin excluded.

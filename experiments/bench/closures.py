@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Precision of the loop closures of a run: what the hand-checked relations say about them.
 
     experiments/bench/closures.py OUTPUT_DIR RELATIONS

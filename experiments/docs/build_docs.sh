@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds the documentation as a site: build_docs.sh [FOLDER], by default build/docs; its first page is
 # FOLDER/html/index.html. Needs Doxygen (experiments/install_packages.sh docs) and the executables, in
 # $GMAPPING_SPA_BINARIES or build/bin. Warnings are errors.

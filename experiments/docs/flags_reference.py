@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The flags of executables as a page of Markdown, made from what they say about themselves.
 
 flags_reference.py EXECUTABLE... > flags.md

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From a CARMEN log to a map: map_a_log LOG MAP writes MAP.pgm and MAP.yaml.
 #include <glog/logging.h>
 #include <gmapping_spa/map_server_io.h>

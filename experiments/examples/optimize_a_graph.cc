@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Optimizes a pose graph, without SLAM: a square that was driven and measured with errors.
 #include <gmapping_spa/g2o_io.h>
 #include <gmapping_spa/optimize_safely.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // SLAM with a back end of one's own, part of the program: here one that asks spa, and tells of it.
 #include <glog/logging.h>
 #include <gmapping_spa/open_log.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The Freiburg SLAM benchmark on every log of the data folder, beside the published results.
 #   experiments/freiburg/reproduce.sh [--quick] [--data DIR] [-j N] [flags of run_study.py...]
 # Results and the report: out/freiburg, or --work_dir DIR. where_are_the_logs.sh says where logs are.

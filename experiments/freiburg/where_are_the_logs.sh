@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Says which logs of the Freiburg benchmark are in the data folder, and where to get the others.
 #   experiments/freiburg/where_are_the_logs.sh [DATA]
 # DATA holds carmen/NAME.clf.gz and relations/NAME.relations.gz (gzipped or not); it is

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Degrees, the unit of reported angles.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_ANGLES_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_ANGLES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which poses of two recordings belong to the same moment.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_ASSOCIATION_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_ASSOCIATION_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where most of a map fits the true one.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_BEST_ALIGNMENT_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_BEST_ALIGNMENT_H_

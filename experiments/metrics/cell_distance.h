@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Distances between the cells of a map, as squares, and points or edges.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_CELL_DISTANCE_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_CELL_DISTANCE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A raster of the occupied cells of a map in the frame of the true one.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_CELL_RASTER_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_CELL_RASTER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Morphological dilation and closing of a map's occupied cells.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_CLOSING_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_CLOSING_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sets of occupied cells that hang together.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_CONNECTED_CELLS_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_CONNECTED_CELLS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which true corners a map draws, and which it draws that are not there.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_CORNER_ERRORS_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_CORNER_ERRORS_H_

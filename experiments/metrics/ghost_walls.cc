@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/metrics/ghost_walls.h"
 
 #include <algorithm>

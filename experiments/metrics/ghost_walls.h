@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Walls that a map draws where there are none.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_GHOST_WALLS_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_GHOST_WALLS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The cells of a grid that a ray passes through.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_GRID_RAY_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_GRID_RAY_H_

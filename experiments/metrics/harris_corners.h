@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Corners of what is occupied in a map.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_HARRIS_CORNERS_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_HARRIS_CORNERS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where points of a map's frame lie among its cells.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_MAP_CELLS_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_MAP_CELLS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A map laid over the true one: what each item of either is away from the other.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_MAP_COMPARISON_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_MAP_COMPARISON_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The errors of a map as numbers; experiments/metrics/README.md defines them.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_MAP_ERROR_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_MAP_ERROR_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a map without truth says about its own quality, after Filatov et al., "2D SLAM quality
 // evaluation methods", FRUCT 2017: errors make corners, enclosed areas and occupied cells that the
 // world does not have, so of two maps of the same scans that with fewer is better.

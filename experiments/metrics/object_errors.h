@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How a map draws single objects of the world, such as the obstacles of an experiment.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_OBJECT_ERRORS_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_OBJECT_ERRORS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The relations benchmark: Kuemmerle et al., On measuring the accuracy of SLAM algorithms,
 // Autonomous Robots 27(4), 2009.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_RELATIONS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The nearest of the things that the cells of a grid hold.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_RING_SEARCH_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_RING_SEARCH_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What of a world a robot with a laser could have seen on its way.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_SEEN_SPACE_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_SEEN_SPACE_H_

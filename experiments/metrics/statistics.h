@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is reported of a set of errors.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_STATISTICS_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_STATISTICS_H_

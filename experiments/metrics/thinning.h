@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Thinning of a map's occupied cells to lines.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_THINNING_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_THINNING_H_

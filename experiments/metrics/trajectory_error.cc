@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/metrics/trajectory_error.h"
 
 #include <Eigen/Core>

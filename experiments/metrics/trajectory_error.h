@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Errors of a trajectory against the true one, with the conventions of evo
 // (github.com/MichaelGrupp/evo), in the plane.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_TRAJECTORY_ERROR_H_

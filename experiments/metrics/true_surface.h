@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The surface of what stands in a true map: where the beams of a laser end.
 //
 // A wall cell of the true map is solid, and its surface is the edge that it shares with free space.

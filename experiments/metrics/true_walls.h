@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Straight true surface, put together to walls.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_TRUE_WALLS_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_TRUE_WALLS_H_

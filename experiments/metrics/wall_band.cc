@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/metrics/wall_band.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The band of occupied cells that a map has where there is a wall.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_WALL_BAND_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_WALL_BAND_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Which true walls a map draws whole, with gaps, twice or not at all.
 #ifndef GMAPPING_SPA_EXPERIMENTS_METRICS_WALL_ERRORS_H_
 #define GMAPPING_SPA_EXPERIMENTS_METRICS_WALL_ERRORS_H_

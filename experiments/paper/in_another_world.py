@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the paper's studies anew for a world of the reader's own, and prints those that can run.
 
 Studies with obstacles need obstacles for that world; without --obstacles they are written for the

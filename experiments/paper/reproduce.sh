@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The paper's experiments and ours around them: installs what is missing, builds, runs, reports.
 #   experiments/paper/reproduce.sh [--quick] [-j N] [--work_dir DIR] [--world FILE ...]
 #     --quick      one seed on a short tour: shows in minutes that everything runs

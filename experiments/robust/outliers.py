@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Optimizes graphs with wrong loop closures, and reports how far from the truth the poses end.
 
     experiments/robust/outliers.py STUDY.yaml --graphs FOLDER --bin build/bin --output_dir out/robust

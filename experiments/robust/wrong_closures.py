@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Wrong loop closures for graphs that have none, as Suenderhauf and Protzel (2012) make them."""
 import random
 

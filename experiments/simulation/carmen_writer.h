@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sensor logs as CARMEN text, one record a line
 // (http://carmen.sourceforge.net/logger_playback.html).
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_CARMEN_WRITER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // People who walk about near a robot.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_CROWD_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_CROWD_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Kinematics of a differential-drive robot, eqs. 1 to 3 of the paper.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_DIFFERENTIAL_DRIVE_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_DIFFERENTIAL_DRIVE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Shapes drawn over a raster.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_DRAWING_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_DRAWING_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A scanning range finder on a robot.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_LIDAR_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_LIDAR_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What takes in the readings of a simulated robot: a log, or a mapper.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_LOG_SINK_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_LOG_SINK_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Wheel odometry with normal noise, and with interferences that no normal distribution describes.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_ODOMETRY_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_ODOMETRY_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Someone who walks to and fro.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_PEDESTRIAN_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_PEDESTRIAN_H_

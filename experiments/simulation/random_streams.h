@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Purposes of the simulator's random numbers: see backend/counter_random.h.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_RANDOM_STREAMS_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_RANDOM_STREAMS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/simulation/robot_motion.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How a robot moves along its tours, whatever its sensors say.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_ROBOT_MOTION_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_ROBOT_MOTION_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A simulated robot's scans for a mapper in the same process.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_SCAN_PLAYER_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_SCAN_PLAYER_H_

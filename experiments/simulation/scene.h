@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A world with the obstacles of an experiment.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_SCENE_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_SCENE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Solid shapes in the world frame, in metres.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_SHAPES_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_SHAPES_H_

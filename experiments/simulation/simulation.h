@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A robot on a tour through a world, and what its sensors say.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_SIMULATION_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_SIMULATION_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The map that a perfect mapper would make of a world.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_TRUTH_MAP_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_TRUTH_MAP_H_

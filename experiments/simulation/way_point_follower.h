@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A controller that drives a robot along a polyline of way points.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_WAY_POINT_FOLLOWER_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_WAY_POINT_FOLLOWER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A two-dimensional world of solid and empty cells.
 #ifndef GMAPPING_SPA_EXPERIMENTS_SIMULATION_WORLD_H_
 #define GMAPPING_SPA_EXPERIMENTS_SIMULATION_WORLD_H_

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Beams that see less, or worse."""
 import numpy as np
 

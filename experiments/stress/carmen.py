@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """CARMEN logs as records that can be changed; what is not understood is kept as it stands."""
 import dataclasses
 import gzip

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Walkers about the robot that hide what is behind them."""
 import numpy as np
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Poses in the plane as arrays (..., 3) of x, y (m) and theta (rad)."""
 import numpy as np
 

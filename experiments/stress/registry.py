@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The kinds of stress by name, and what they share."""
 import dataclasses
 from collections.abc import Callable

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Relations (true motion between two scans) that follow their scans into a stressed log."""
 import dataclasses
 import pathlib

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # What the defaults survive: recorded logs under stress, scored by their relations.
 #   experiments/stress/reproduce.sh [--quick] [--data DIR] [-j N] [flags of run_study.py...]
 # Results, the report and tables/stress_survival.md: out/stress, or --work_dir DIR.

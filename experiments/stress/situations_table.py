@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the table of a study of simulated situations, as Markdown and CSV.
 
     situations_table.py STUDY.yaml --work_dir=RESULTS [--quick] [--output=FOLDER]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Scans that are missing, repeated, or come at another time."""
 import numpy as np
 

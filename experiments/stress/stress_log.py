@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes a stressed copy of a CARMEN log, and of the relations that score it.
 
     stress_log.py --log=IN.clf.gz --stress=KIND --seed=S --output=OUT.clf.gz

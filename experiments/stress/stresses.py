@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """All kinds of stress; importing them registers them."""
 import zlib
 

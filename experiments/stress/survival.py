@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the table "what it survives" of a study of stressed datasets, as Markdown and CSV.
 
     survival.py STUDY.yaml --work_dir=RESULTS [--quick] [--output=FOLDER]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The command line of scripts that write one table of a study."""
 import argparse
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Wheels that are wrong: the scans stay as they are."""
 import numpy as np
 

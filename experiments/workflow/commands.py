@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs the project's executables and writes command lines down as a reader can repeat them."""
 import hashlib
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Kinds of datasets of a study: logs of real robots, those under stress, and the simulator's."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Reads from a study which datasets it has; dataset_kinds.py says which kinds there are."""
 from __future__ import annotations
 

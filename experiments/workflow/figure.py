@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Figures of maps in rows and columns, as a study asks for them:
 
     figures:

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The flags that an executable has, as it tells them by --helpxml, and values that fit them."""
 from __future__ import annotations
 

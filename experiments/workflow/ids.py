@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Content addresses: equal input and flags have equal ids, so that nothing is done twice."""
 import functools
 import hashlib

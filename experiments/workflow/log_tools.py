@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The programs that make logs: where they are, what they call their output, which version it is."""
 import hashlib
 import pathlib

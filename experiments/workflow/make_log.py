@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Makes one simulated or stressed log: make_log.py PLAN LOG_ID, from the folder of results."""
 import json
 import pathlib

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes the report of studies: one HTML page, its tables as CSV and Markdown, its figures as PNG.
 
 The claims.yaml beside the studies, if there is one, is put to the test as well.

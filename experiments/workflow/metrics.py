@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The metrics that a study can show: key, label, unit, and which direction is better."""
 import dataclasses
 import math

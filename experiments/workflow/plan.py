@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a set of studies needs to have done, as the Snakefile and its scripts read it."""
 import pathlib
 from typing import Any

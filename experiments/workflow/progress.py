@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What Snakemake says while a study runs: how far it is, and what went wrong.
 
 Its own words, a dozen lines a run, go to the log file in .snakemake/log alone.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the runs of a study left in the folder of results."""
 import dataclasses
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Folders of results that appear whole, with outcome.json, or not at all."""
 import errno
 import json

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Does one run of a study: run_slam.py PLAN RUN_ID, from the folder of results.
 
 A run that fails is a result: its outcome.json says how. One that is ended from outside leaves

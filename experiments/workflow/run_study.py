@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Does the runs of studies, scores them and writes the report.
 
 A stopped study goes on where it was when it is started again with the same folder of results.

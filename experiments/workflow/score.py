@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Scores one run: score.py PLAN RUN_ID, from the folder of results.
 
 Metrics that do not apply, and all metrics of a failed run, are null.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Which builds made the results that are there: those of several must not mix silently."""
 import json
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A study: which runs one YAML file asks for. Complains in one line before anything runs."""
 from __future__ import annotations
 

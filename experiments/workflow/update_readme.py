@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Puts tables of a report into a README, between `<!-- NAME begin -->` and `<!-- NAME end -->`."""
 import argparse
 import pathlib

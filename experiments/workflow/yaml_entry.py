@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """YAML values that know their place, so that a complaint can name file and line."""
 from __future__ import annotations
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What came of a scan.
 #ifndef GMAPPING_SPA_FRONTEND_API_SCAN_RESULT_H_
 #define GMAPPING_SPA_FRONTEND_API_SCAN_RESULT_H_

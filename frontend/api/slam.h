@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // SLAM for programs: laser scans in; poses, map and pose graph out.
 #ifndef GMAPPING_SPA_FRONTEND_API_SLAM_H_
 #define GMAPPING_SPA_FRONTEND_API_SLAM_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/api/slam_options.h"
 
 namespace gmapping_spa {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Everything that can be chosen about SLAM.
 #ifndef GMAPPING_SPA_FRONTEND_API_SLAM_OPTIONS_H_
 #define GMAPPING_SPA_FRONTEND_API_SLAM_OPTIONS_H_

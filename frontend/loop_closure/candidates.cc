@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/loop_closure/candidates.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where a loop may have closed.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_CANDIDATES_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_CANDIDATES_H_

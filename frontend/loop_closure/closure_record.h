@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What became of a candidate for a loop closure, and why.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_CLOSURE_RECORD_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_CLOSURE_RECORD_H_

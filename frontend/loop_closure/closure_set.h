@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Closures that follow from one another along a stretch of driving, and whether to believe them.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_CLOSURE_SET_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_CLOSURE_SET_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The largest set of measurements all of which go together.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_CONSISTENT_SET_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_CONSISTENT_SET_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How uncertain the relative pose of two nodes is.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_DRIFT_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_DRIFT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Closes loops wherever they are: by the look of places, and by what follows from that.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_GLOBAL_CLOSING_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_GLOBAL_CLOSING_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The map that a few neighboring scans make, in the frame of one of them.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_LOCAL_MAP_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_LOCAL_MAP_H_

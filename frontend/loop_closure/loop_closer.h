@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Closes loops: finds candidates, verifies them and believes those that agree with each other.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_LOOP_CLOSER_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_LOOP_CLOSER_H_

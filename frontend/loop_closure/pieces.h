@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pieces of the path between which nothing is known of the motion, and how closures join them.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_PIECES_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_PIECES_H_

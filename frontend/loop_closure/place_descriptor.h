@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the surroundings of a place look like, whatever the heading.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_PLACE_DESCRIPTOR_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_PLACE_DESCRIPTOR_H_

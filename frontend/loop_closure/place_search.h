@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Recognizes places that were seen before, wherever the estimate believes the robot to be.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_PLACE_SEARCH_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_PLACE_SEARCH_H_

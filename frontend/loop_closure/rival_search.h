@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether a closure may have mistaken one part of a building that repeats itself for another.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_RIVAL_SEARCH_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_RIVAL_SEARCH_H_

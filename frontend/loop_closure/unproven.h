@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Closures that are left undecided in the end, though they would move the map.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_UNPROVEN_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_UNPROVEN_H_

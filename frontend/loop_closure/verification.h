@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Whether two nodes saw the same place, and how they lie to each other.
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_VERIFICATION_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_VERIFICATION_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The parts of an occupancy grid around the end points of the beams of one scan.
 #ifndef GMAPPING_SPA_FRONTEND_MAP_BEAM_BLOCKS_H_
 #define GMAPPING_SPA_FRONTEND_MAP_BEAM_BLOCKS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A small part of an occupancy grid, copied out for a search that stays near one place.
 #ifndef GMAPPING_SPA_FRONTEND_MAP_CELL_BLOCK_H_
 #define GMAPPING_SPA_FRONTEND_MAP_CELL_BLOCK_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/map/map_building.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From an occupancy grid to a finished map.
 #ifndef GMAPPING_SPA_FRONTEND_MAP_MAP_BUILDING_H_
 #define GMAPPING_SPA_FRONTEND_MAP_MAP_BUILDING_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Maps as the image and YAML pair of ROS's map_server.
 //
 // The image is a PGM (P5) with row 0 at the top: 254 free, 0 occupied, 205 unknown. The YAML gives

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/map/occupancy_grid.h"
 
 #include <glog/logging.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The map of one particle: an unbounded grid of cells whose copies share what they have in common.
 #ifndef GMAPPING_SPA_FRONTEND_MAP_OCCUPANCY_GRID_H_
 #define GMAPPING_SPA_FRONTEND_MAP_OCCUPANCY_GRID_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Entering a scan into an occupancy grid.
 #ifndef GMAPPING_SPA_FRONTEND_MAP_SCAN_INSERTION_H_
 #define GMAPPING_SPA_FRONTEND_MAP_SCAN_INSERTION_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The storage unit of an occupancy grid: a square block of cells, shared between grids until
 // written.
 #ifndef GMAPPING_SPA_FRONTEND_MAP_TILE_H_

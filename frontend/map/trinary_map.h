@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A finished map: every cell free, occupied or unknown.
 #ifndef GMAPPING_SPA_FRONTEND_MAP_TRINARY_MAP_H_
 #define GMAPPING_SPA_FRONTEND_MAP_TRINARY_MAP_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reading YAML with errors that name the file and the line.
 #ifndef GMAPPING_SPA_FRONTEND_MAP_YAML_FILE_H_
 #define GMAPPING_SPA_FRONTEND_MAP_YAML_FILE_H_

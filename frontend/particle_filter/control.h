@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The control input of one step of the filter.
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_CONTROL_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_CONTROL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/particle_filter/edge_model.h"
 
 #include <glog/logging.h>

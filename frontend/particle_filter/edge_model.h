@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the pose graph is told about a particle's step.
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_EDGE_MODEL_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_EDGE_MODEL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Maps of corrected trajectories, rebuilt from the scans as far back as is needed.
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_MAP_HISTORY_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_MAP_HISTORY_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the scan matching of a particle starts.
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_MATCH_START_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_MATCH_START_H_

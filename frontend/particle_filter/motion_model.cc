@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/particle_filter/motion_model.h"
 
 #include <Eigen/Geometry>

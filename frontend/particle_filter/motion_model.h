@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The odometry motion model p(x_t | x_{t-1}, u_t).
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_MOTION_MODEL_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_MOTION_MODEL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Work on the particles by several threads.
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PARALLEL_FOR_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PARALLEL_FOR_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One hypothesis of the Rao-Blackwellized filter.
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PARTICLE_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PARTICLE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/particle_filter/particle_filter.h"
 
 #include <glog/logging.h>

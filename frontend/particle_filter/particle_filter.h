@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The Rao-Blackwellized particle filter of GMapping: each particle a trajectory and its map.
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PARTICLE_FILTER_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PARTICLE_FILTER_H_

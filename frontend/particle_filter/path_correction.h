@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a back end found wrong with a path.
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PATH_CORRECTION_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PATH_CORRECTION_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/particle_filter/pose_sampling.h"
 
 namespace gmapping_spa::particle_filter {

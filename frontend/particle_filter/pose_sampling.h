@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How a particle whose scan was matched gets its new pose, and the weight that goes with it.
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_POSE_SAMPLING_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_POSE_SAMPLING_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The improved proposal of GMapping: a Gaussian that has seen the scan.
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PROPOSAL_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PROPOSAL_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Importance weights and selective resampling.
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_RESAMPLING_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_RESAMPLING_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The histories of all particles, stored once where they are shared.
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_TRAJECTORY_TREE_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_TRAJECTORY_TREE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Correlative scan matching: the best pose of a whole window, wherever the search starts.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_CORRELATIVE_MATCHING_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_CORRELATIVE_MATCHING_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/scan_matching/endpoint_model.h"
 
 #include <glog/logging.h>

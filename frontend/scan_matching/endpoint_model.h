@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The measurement model p(z | m, x): how well the end points of a scan fit the hits of a map.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_ENDPOINT_MODEL_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_ENDPOINT_MODEL_H_

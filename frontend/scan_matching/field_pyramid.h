@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Upper bounds of a likelihood field over squares of cells, for branch and bound.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_FIELD_PYRAMID_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_FIELD_PYRAMID_H_

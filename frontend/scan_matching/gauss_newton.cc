@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/scan_matching/gauss_newton.h"
 
 #include <glog/logging.h>

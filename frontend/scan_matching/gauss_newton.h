@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Aligning a scan with the surfaces of a map by Gauss-Newton: sub-cell, in a few iterations.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_GAUSS_NEWTON_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_GAUSS_NEWTON_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Scan matching by Gauss-Newton: the scan is aligned, and the result judged by how well it fits.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_GAUSS_NEWTON_MATCHER_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_GAUSS_NEWTON_MATCHER_H_

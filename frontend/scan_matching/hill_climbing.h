@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The scan matcher of GMapping: greedy moves on the map, in ever smaller steps.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_HILL_CLIMBING_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_HILL_CLIMBING_H_

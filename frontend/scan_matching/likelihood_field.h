@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How near each cell of a grid is to the points of a reference scan or map, as bytes.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_LIKELIHOOD_FIELD_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_LIKELIHOOD_FIELD_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The surface that a beam met, from the hit means of a map near its end point.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_LOCAL_SURFACE_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_LOCAL_SURFACE_H_

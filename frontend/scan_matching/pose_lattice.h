@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The discretized search window of correlative scan matching, and how well its poses can fit.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_POSE_LATTICE_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_POSE_LATTICE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Aligning a scan with a map.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SCAN_MATCHER_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SCAN_MATCHER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The part of a scan that scan matching uses, prepared once per scan for all particles.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SCAN_POINTS_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SCAN_POINTS_H_

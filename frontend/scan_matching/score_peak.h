@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The peak of the scores of correlative scan matching around the best pose.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SCORE_PEAK_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SCORE_PEAK_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Beams that contradict a map in the one way that nothing in front of the laser can.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SEEN_THROUGH_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SEEN_THROUGH_H_

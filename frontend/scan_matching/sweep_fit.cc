@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/scan_matching/sweep_fit.h"
 
 #include <Eigen/Cholesky>

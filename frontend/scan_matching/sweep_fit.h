@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How long the sweep of a scan took, from how it is bent.
 #ifndef GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SWEEP_FIT_H_
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_SWEEP_FIT_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Rules about beams that show only over many scans.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_BEAM_FILTER_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_BEAM_FILTER_H_

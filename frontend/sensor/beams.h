@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From the ranges of a sweep to beams with an angle and a status.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_BEAMS_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_BEAMS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Logs of the CARMEN robot navigation toolkit: one record a line, its type in front.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_CARMEN_READER_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_CARMEN_READER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Scans of a laser that turns while the robot moves, as if all beams were measured at once.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_DESKEW_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_DESKEW_H_

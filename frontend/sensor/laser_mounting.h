@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the laser is mounted, as the laser poses of the scans tell it.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_LASER_MOUNTING_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_LASER_MOUNTING_H_

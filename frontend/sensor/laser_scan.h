@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One sweep of a planar range finder, with the odometry that belongs to it.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_LASER_SCAN_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_LASER_SCAN_H_

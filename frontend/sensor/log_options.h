@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How a sensor log is read.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_LOG_OPTIONS_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_LOG_OPTIONS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A stream of laser scans from a sensor log.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_LOG_READER_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_LOG_READER_H_

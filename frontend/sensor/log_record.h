@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a log format is reduced to before scans are put in order: scans and odometry readings, in
 // the order of the file.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_LOG_RECORD_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/sensor/log_validator.h"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Watches the stream of scans for what hints at a damaged log.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_LOG_VALIDATOR_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_LOG_VALIDATOR_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Readings that are the laser's maximum range, where the log does not say that range.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_MAX_RANGE_FILTER_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_MAX_RANGE_FILTER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Wheels are checked, not believed: tells the motion between two scans, or why it is not known.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_ODOMETRY_CHECK_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_ODOMETRY_CHECK_H_

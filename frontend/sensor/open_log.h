@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Opening sensor logs.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_OPEN_LOG_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_OPEN_LOG_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/sensor/record_fields.h"
 
 #include <cmath>

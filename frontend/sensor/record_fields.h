@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The fields of one line of a log, taken one after the other.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_RECORD_FIELDS_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_RECORD_FIELDS_H_

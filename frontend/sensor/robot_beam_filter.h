@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Beams that end on the robot itself.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_ROBOT_BEAM_FILTER_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_ROBOT_BEAM_FILTER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // All scans of a run in little memory.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_SCAN_ARCHIVE_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_SCAN_ARCHIVE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Scans in the order of their stamps, each with odometry.
 #ifndef GMAPPING_SPA_FRONTEND_SENSOR_TIME_ORDERED_READER_H_
 #define GMAPPING_SPA_FRONTEND_SENSOR_TIME_ORDERED_READER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/ceres/ceres_optimizer.h"
 
 #include <ceres/loss_function.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Ceres as a back end.
 #ifndef GMAPPING_SPA_PLUGINS_CERES_CERES_OPTIMIZER_H_
 #define GMAPPING_SPA_PLUGINS_CERES_CERES_OPTIMIZER_H_

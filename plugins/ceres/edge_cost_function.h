@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One edge of a pose graph as Ceres sees it.
 #ifndef GMAPPING_SPA_PLUGINS_CERES_EDGE_COST_FUNCTION_H_
 #define GMAPPING_SPA_PLUGINS_CERES_EDGE_COST_FUNCTION_H_

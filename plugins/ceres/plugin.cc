@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/plugin/plugin.h"
 #include "plugins/ceres/ceres_optimizer.h"
 

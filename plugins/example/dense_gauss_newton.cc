@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // An example of a back end: Gauss-Newton with dense matrices, for graphs of some hundred nodes.
 #include <gmapping_spa/edge_error.h>
 #include <gmapping_spa/graph_cost.h>

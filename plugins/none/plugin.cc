@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The back end that changes nothing: what the front end does without one.
 #include "backend/plugin/plugin.h"
 #include "backend/cost/graph_cost.h"

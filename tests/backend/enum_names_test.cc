@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/enum_names.h"
 
 #include <gtest/gtest.h>

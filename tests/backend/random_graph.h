@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Random pose graphs for property tests.
 #ifndef GMAPPING_SPA_TESTS_BACKEND_RANDOM_GRAPH_H_
 #define GMAPPING_SPA_TESTS_BACKEND_RANDOM_GRAPH_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Is gmapping.flags GMapping as its authors published it? Their program, unmodified, with 5
 // particles, updates each 1.0 m or 0.5 rad and five seeds on the same logs, is compared with ours,
 // in distribution. It took the scans as they come in the file, which matters on intel: by their

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs gmapping_spa with a flag file on whole logs of real buildings.
 #ifndef GMAPPING_SPA_TESTS_EXPERIMENTS_REAL_LOGS_H_
 #define GMAPPING_SPA_TESTS_EXPERIMENTS_REAL_LOGS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Our best plain particle filter (gmapping_plus.flags) on whole logs of real buildings. Minutes
 // each: label "long".
 #include "tests/experiments/real_logs.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/closure_findings.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/control_input.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/final_optimization.h"
 
 #include <gtest/gtest.h>

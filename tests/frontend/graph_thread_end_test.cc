@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // How a graph thread ends: its function is destroyed when neither the object nor its thread is
 // there any more. What it refuses is here too.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/graph_thread.h"
 
 #include <gtest/gtest.h>

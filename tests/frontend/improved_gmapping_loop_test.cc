@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // ImprovedGmapping on a drive around a loop, with back ends good and bad.
 #include <gtest/gtest.h>
 

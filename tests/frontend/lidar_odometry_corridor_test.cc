@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Places that leave a direction open, and scans of few beams: odometry without error is kept.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Drives through synthetic worlds by which lidar odometry is tried out.
 #ifndef GMAPPING_SPA_TESTS_FRONTEND_LIDAR_ODOMETRY_DRIVE_H_
 #define GMAPPING_SPA_TESTS_FRONTEND_LIDAR_ODOMETRY_DRIVE_H_

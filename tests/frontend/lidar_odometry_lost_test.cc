@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A robot whose scans fit nothing that it has seen, or only little of it.
 #include <gtest/gtest.h>
 

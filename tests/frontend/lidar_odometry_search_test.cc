@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where a scan is looked for that does not fit where it was expected.
 #include <gtest/gtest.h>
 

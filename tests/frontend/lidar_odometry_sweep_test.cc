@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Drives with a laser that turns slowly.
 #include <gtest/gtest.h>
 

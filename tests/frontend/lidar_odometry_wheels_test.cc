@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Wheels that are wrong, late, silent or restarted.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A robot that is carried away, or sees nonsense for a while, and what becomes of its map.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A laser that measures one beam after the other while its robot moves.
 #ifndef GMAPPING_SPA_TESTS_FRONTEND_MOVING_LASER_H_
 #define GMAPPING_SPA_TESTS_FRONTEND_MOVING_LASER_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Maps of synthetic rooms, as a robot would have made them at poses that are known exactly.
 #ifndef GMAPPING_SPA_TESTS_FRONTEND_ROOM_MAP_H_
 #define GMAPPING_SPA_TESTS_FRONTEND_ROOM_MAP_H_

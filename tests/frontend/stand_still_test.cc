@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/stand_still.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Worlds made of straight walls, in which the range of every beam is known exactly.
 #ifndef GMAPPING_SPA_TESTS_FRONTEND_SYNTHETIC_ROOM_H_
 #define GMAPPING_SPA_TESTS_FRONTEND_SYNTHETIC_ROOM_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/wheel_calibration.h"
 
 #include <gtest/gtest.h>

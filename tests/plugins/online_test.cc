@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The online case: a graph that arrives node by node, optimized after every loop closure.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """Compares two folders of results: same_results.py ONE OTHER. Times and memory may differ."""
 import json
 import pathlib

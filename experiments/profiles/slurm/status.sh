@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Tells Snakemake about a job: status.sh JOB_ID prints running, success or failed.
 set -uo pipefail
 answer=$(scontrol show job --oneliner "$1" 2>&1)

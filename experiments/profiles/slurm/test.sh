@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs a small study on a real Slurm, started here for this purpose, and again without it: both must
 # give the same results. Needs a build in build/ and the rights to install packages, if they lack.
 set -euo pipefail

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a report needs of its studies, to be told before anything runs."""
 from . import claims, published, selection
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What a paper says, as tests that runs can pass or fail: claims.yaml.
 
     title: of the report

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The figures that a study asks for as files of their own: PNG, for READMEs, papers and slides."""
 import io
 import re

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Maps side by side: in rows and columns as the study's figures say, else one after the other."""
 import dataclasses
 

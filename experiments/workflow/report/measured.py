@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A study with what its runs gave: the values of a metric by configuration and seed."""
 from metrics import METRICS, TIMES, WALL_TIME
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Pictures of maps, small enough to stand side by side in a page: PNG with a palette."""
 import dataclasses
 import io

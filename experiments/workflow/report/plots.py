@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Plots of a metric against an axis of the study, as SVG: the same bytes for the same numbers."""
 import io
 

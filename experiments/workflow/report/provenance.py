@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Where the numbers come from: versions, commit, binaries, studies, and what is amiss."""
 import hashlib
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What others report on the same datasets, beside our runs: published.yaml in the studies' folder.
 
     - system: NAME

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Configurations by their coordinates (dataset, variant, axes), and the pairs of a comparison."""
 from flags import as_text
 from study import StudyError

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Which run of a configuration its pictures show: the same rule for all, not the nicest run."""
 import math
 

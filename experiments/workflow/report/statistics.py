@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Means with intervals, and tests of pairs, over runs that may have failed.
 
 A value is a number, or None for a run that ended without one: it failed, or its map is such that

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A table, written as CSV for programs and as Markdown for people; the page shows it too."""
 import csv
 import dataclasses

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The tables of a study. What depends on the machine's load stands in tables of its own (`cost`),
 so that all others are the same, byte for byte, when the study is run again."""
 from metrics import METRICS, TIMES, highest

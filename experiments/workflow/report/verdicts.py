@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Verdicts on claims, computed from paired tests: none is written by hand."""
 import dataclasses
 from typing import Any

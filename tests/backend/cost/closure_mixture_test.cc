@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/cost/closure_mixture.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/graph/g2o_io.h"
 
 #include <gmock/gmock.h>

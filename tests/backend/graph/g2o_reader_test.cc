@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What real files hold besides the records of .g2o.
 #include "backend/graph/g2o_reader.h"
 

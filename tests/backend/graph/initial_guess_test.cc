@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/graph/initial_guess.h"
 
 #include <gtest/gtest.h>

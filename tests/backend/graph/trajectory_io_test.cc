@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/graph/trajectory_io.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/initialization/chordal_initialization.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Back ends that break one rule each, chosen by a macro: what a loader has to live with.
 #include <limits>
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 /* A back end in C: what crosses the boundary is no C++. It moves the node that the last edge ends at. */
 #include <stdlib.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/plugin/plugin_loader.h"
 
 #include <gmock/gmock.h>

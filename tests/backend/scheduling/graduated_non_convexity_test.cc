@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/scheduling/graduated_non_convexity.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/spa/damped_solver.h"
 
 #include <gtest/gtest.h>

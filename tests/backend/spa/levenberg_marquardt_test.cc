@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/spa/levenberg_marquardt.h"
 
 #include <gtest/gtest.h>

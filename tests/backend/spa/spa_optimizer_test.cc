@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/spa/spa_optimizer.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Sparse structures as dense matrices, in the order of elimination.
 #ifndef GMAPPING_SPA_TESTS_BACKEND_SPARSE_DENSE_H_
 #define GMAPPING_SPA_TESTS_BACKEND_SPARSE_DENSE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "backend/sparse/symbolic_factor.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What gmapping_spa and simulate do about bad input: one clear line, and nothing half written.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // gmapping_spa with its default flags on small logs that once went wrong: odometry without error
 // that a front end must not spoil, and odometry that says nothing or restarts.
 #include <gmock/gmock.h>

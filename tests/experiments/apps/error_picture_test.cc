@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/apps/error_picture.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The command lines of evaluate_relations and evaluate_trajectory.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // gmapping_spa with its default flags on logs of real buildings. A minute each: label "long".
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // When gmapping_spa gives the same result, and when another one.
 #include <gtest/gtest.h>
 

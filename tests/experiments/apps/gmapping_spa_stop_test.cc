@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What gmapping_spa leaves behind when it is stopped or fails.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

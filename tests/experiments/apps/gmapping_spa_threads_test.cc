@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What gmapping_spa does on several threads.
 #include <gtest/gtest.h>
 

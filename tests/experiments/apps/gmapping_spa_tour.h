@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A short tour of the simulated building, and what gmapping_spa makes of it.
 #ifndef GMAPPING_SPA_TESTS_EXPERIMENTS_APPS_GMAPPING_SPA_TOUR_H_
 #define GMAPPING_SPA_TESTS_EXPERIMENTS_APPS_GMAPPING_SPA_TOUR_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What inspect_log says and draws.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

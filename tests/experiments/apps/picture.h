@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Pictures that programs draw, as pixels.
 #ifndef GMAPPING_SPA_TESTS_EXPERIMENTS_APPS_PICTURE_H_
 #define GMAPPING_SPA_TESTS_EXPERIMENTS_APPS_PICTURE_H_

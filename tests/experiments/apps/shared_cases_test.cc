@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Inputs that users of this field reported trouble with, where they are at hand. Equivalents of
 // them are in the tests of the readers.
 #include <gmock/gmock.h>

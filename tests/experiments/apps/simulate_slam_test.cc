@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // SLAM on a simulated robot without a log in between.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

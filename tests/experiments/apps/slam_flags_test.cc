@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What flags run is what the library runs, which has the same defaults and named settings.
 #include "experiments/apps/slam_flags.h"
 

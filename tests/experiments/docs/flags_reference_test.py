@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The flags reference says what executables say, and pages cannot name flags that do not exist."""
 import os
 import pathlib

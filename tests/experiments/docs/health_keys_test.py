@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The questions tell what every key of a run's health means."""
 import pathlib
 import re

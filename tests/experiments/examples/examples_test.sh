@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # examples_test.sh EXAMPLES PREFIX WORLDS: what the examples in the folder EXAMPLES do is what the
 # executables installed in PREFIX do.
 set -euo pipefail

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/metrics/best_alignment.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/metrics/cell_distance.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/metrics/cell_raster.h"
 
 #include <gtest/gtest.h>

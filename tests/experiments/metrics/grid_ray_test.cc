@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/metrics/grid_ray.h"
 
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Two rooms with a door and a pillar, and ways to draw them wrongly.
 #ifndef GMAPPING_SPA_TESTS_EXPERIMENTS_METRICS_HAND_MADE_BUILDING_H_
 #define GMAPPING_SPA_TESTS_EXPERIMENTS_METRICS_HAND_MADE_BUILDING_H_

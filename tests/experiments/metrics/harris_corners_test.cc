@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/metrics/harris_corners.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Hand-made maps with known errors.
 #include "experiments/metrics/map_error.h"
 

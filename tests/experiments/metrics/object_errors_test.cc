@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/metrics/object_errors.h"
 
 #include <gtest/gtest.h>

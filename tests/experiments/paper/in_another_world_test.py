@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The paper's studies in a reader's world, and what reproduce.sh makes of its flags."""
 import pathlib
 import subprocess

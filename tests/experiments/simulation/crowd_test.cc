@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/simulation/crowd.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The paper's building: its tours and its obstacles.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A room to measure in.
 #ifndef GMAPPING_SPA_TESTS_EXPERIMENTS_SIMULATION_ROOM_H_
 #define GMAPPING_SPA_TESTS_EXPERIMENTS_SIMULATION_ROOM_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/simulation/scan_player.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The worlds of the folder that belong to no experiment of the paper.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Beams get worse by what each kind says, and the wheels stay as they are."""
 import unittest
 

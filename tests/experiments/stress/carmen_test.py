@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Logs are read and written without loss, and what is wrong is named with its line."""
 import gzip
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Walkers hide what is behind them, stay near the robot, and move at the speed of people."""
 import unittest
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Poses compose, invert and chain as motions in the plane do."""
 import unittest
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What stresses share: odometry that is set everywhere alike, stretches that do not meet."""
 import unittest
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Relations stay true in a stressed log: moved on, turned round, or left out."""
 import unittest
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The table of situations: failures are counted against bounds, and every situation has one."""
 import pathlib
 import subprocess

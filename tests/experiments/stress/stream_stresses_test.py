@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Scans that are missing, repeated or moved in time, and nothing else."""
 import unittest
 

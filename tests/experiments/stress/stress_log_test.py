@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The command: files as asked, the same bytes every time, complaints in one line."""
 import subprocess
 import unittest

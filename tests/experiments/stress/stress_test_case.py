@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A made-up log whose every number is known, and what the tests of stresses ask of two logs."""
 import pathlib
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """The table of survival: limits from the unstressed log, failures counted, nothing hidden."""
 import pathlib
 import subprocess

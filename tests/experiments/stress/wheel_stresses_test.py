@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Wheels go wrong by what each kind says, and the scans stay as they are."""
 import unittest
 

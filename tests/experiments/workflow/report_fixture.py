@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A folder of results with known numbers, as the workflow leaves it, for the report's tests."""
 import json
 import pathlib

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The page in a real browser: no complaint in its console, no request, and tables that sort."""
 import json
 import shutil

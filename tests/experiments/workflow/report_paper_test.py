@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
 """The studies and claims of experiments/paper fit each other and the executables."""
 import os
 import pathlib

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """A whole study of stressed logs: each run has its own log, and is scored by its relations."""
 import json
 import subprocess

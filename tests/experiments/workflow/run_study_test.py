@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Whole studies of a tiny room: failures are counted, stopped ones go on, bad ones do not run."""
 import fcntl
 import json

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Scores: what evaluate_map prints becomes the metrics of a run."""
 import unittest
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Studies of stressed logs: each seed has a log of its own, and what is wrong is named."""
 import unittest
 

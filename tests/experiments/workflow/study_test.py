@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """Studies: what is asked for becomes runs; what is wrong is named with file and line."""
 import unittest
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 """What the tests of the workflow share: a folder of their own, a tiny world, and run_study.py."""
 import os
 import pathlib

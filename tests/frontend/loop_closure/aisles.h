@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Aisles between racks, each like the next.
 #ifndef GMAPPING_SPA_TESTS_FRONTEND_LOOP_CLOSURE_AISLES_H_
 #define GMAPPING_SPA_TESTS_FRONTEND_LOOP_CLOSURE_AISLES_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A drive that comes back from far away, or into a place that looks like the first one.
 #ifndef GMAPPING_SPA_TESTS_FRONTEND_LOOP_CLOSURE_FAR_DRIVE_H_
 #define GMAPPING_SPA_TESTS_FRONTEND_LOOP_CLOSURE_FAR_DRIVE_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A hall in which every place looks different.
 #ifndef GMAPPING_SPA_TESTS_FRONTEND_LOOP_CLOSURE_HALL_H_
 #define GMAPPING_SPA_TESTS_FRONTEND_LOOP_CLOSURE_HALL_H_

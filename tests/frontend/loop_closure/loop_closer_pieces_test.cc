@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A robot that was carried to elsewhere: loop closing joins the new piece of the path.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A building with a loop, a drive around it, and odometry that drifts.
 #ifndef GMAPPING_SPA_TESTS_FRONTEND_LOOP_CLOSURE_LOOP_WORLD_H_
 #define GMAPPING_SPA_TESTS_FRONTEND_LOOP_CLOSURE_LOOP_WORLD_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/map/beam_blocks.h"
 
 #include <gtest/gtest.h>

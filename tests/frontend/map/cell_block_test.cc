@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/map/cell_block.h"
 
 #include <gmock/gmock.h>

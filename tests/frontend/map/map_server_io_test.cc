@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/map/map_server_io.h"
 
 #include <gmock/gmock.h>

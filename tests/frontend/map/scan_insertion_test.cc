@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/map/scan_insertion.h"
 
 #include <gtest/gtest.h>

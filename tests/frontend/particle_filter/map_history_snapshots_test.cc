@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What MapHistory remembers between calls.
 #include <gtest/gtest.h>
 

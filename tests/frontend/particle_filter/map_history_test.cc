@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/particle_filter/map_history.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Trajectory trees in a long corridor, where a scan sees a small part of the map only.
 #ifndef GMAPPING_SPA_TESTS_FRONTEND_PARTICLE_FILTER_MAP_HISTORY_WORLD_H_
 #define GMAPPING_SPA_TESTS_FRONTEND_PARTICLE_FILTER_MAP_HISTORY_WORLD_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/particle_filter/parallel_for.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a back end does to the particles.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A filter that goes on where nothing is known of the motion.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/particle_filter/path_correction.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Maps that must be the same to the bit, and those that trajectories must lead to.
 #ifndef GMAPPING_SPA_TESTS_FRONTEND_PARTICLE_FILTER_SAME_MAP_H_
 #define GMAPPING_SPA_TESTS_FRONTEND_PARTICLE_FILTER_SAME_MAP_H_

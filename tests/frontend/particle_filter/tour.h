@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A particle filter on a drive around a synthetic room.
 #ifndef GMAPPING_SPA_TESTS_FRONTEND_PARTICLE_FILTER_TOUR_H_
 #define GMAPPING_SPA_TESTS_FRONTEND_PARTICLE_FILTER_TOUR_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/particle_filter/trajectory_tree.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What a single beam says about a pose.
 #include <gtest/gtest.h>
 

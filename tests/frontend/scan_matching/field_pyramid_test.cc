@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/scan_matching/field_pyramid.h"
 
 #include <gtest/gtest.h>

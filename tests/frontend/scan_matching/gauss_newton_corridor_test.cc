@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Matching where a direction is left open.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A room seen by a robot whose laser is not at its center.
 #ifndef GMAPPING_SPA_TESTS_FRONTEND_SCAN_MATCHING_GAUSS_NEWTON_ROOM_H_
 #define GMAPPING_SPA_TESTS_FRONTEND_SCAN_MATCHING_GAUSS_NEWTON_ROOM_H_

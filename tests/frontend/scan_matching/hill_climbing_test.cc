@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/scan_matching/hill_climbing.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The normal equations of GaussNewton from their definition, for comparison.
 #ifndef GMAPPING_SPA_TESTS_FRONTEND_SCAN_MATCHING_NORMAL_EQUATIONS_H_
 #define GMAPPING_SPA_TESTS_FRONTEND_SCAN_MATCHING_NORMAL_EQUATIONS_H_

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/scan_matching/pose_lattice.h"
 
 #include <gtest/gtest.h>

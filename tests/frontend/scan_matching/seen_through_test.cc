@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/scan_matching/seen_through.h"
 
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Records made up by a test.
 #ifndef GMAPPING_SPA_TESTS_FRONTEND_SENSOR_FAKE_RECORD_READER_H_
 #define GMAPPING_SPA_TESTS_FRONTEND_SENSOR_FAKE_RECORD_READER_H_

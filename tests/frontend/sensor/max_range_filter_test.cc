@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/sensor/max_range_filter.h"
 
 #include <gtest/gtest.h>

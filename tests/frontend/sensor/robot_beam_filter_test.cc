@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/sensor/robot_beam_filter.h"
 
 #include <gtest/gtest.h>

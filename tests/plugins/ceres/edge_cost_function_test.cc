@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/ceres/edge_cost_function.h"
 
 #include <ceres/autodiff_cost_function.h>

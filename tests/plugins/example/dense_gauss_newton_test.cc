@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The example back end, built against the installed package, next to spa.
 #include <gtest/gtest.h>
 
