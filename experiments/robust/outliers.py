@@ -93,7 +93,10 @@ def recognized_tasks(study, graphs):
 
 def run(study, args):
     results_file = args.output_dir / "results.csv"
-    rows = list(csv.DictReader(results_file.open())) if results_file.exists() else []
+    rows = []
+    if results_file.exists():
+        with results_file.open() as file:
+            rows = list(csv.DictReader(file))
     done = {tuple(row[key] for key in FIELDS[:5]) for row in rows}
     with results_file.open("a", newline="") as file:
         writer = csv.DictWriter(file, FIELDS)
@@ -137,7 +140,7 @@ def spread(values, digits):
 def write_tables(study, rows, folder):
     names = list(study["configurations"])
     head = "| wrong closures | " + " | ".join(f"{name}, RMSE m | CPU s" for name in names) + " |"
-    lines = [head, "|---|" + "---:|---:|" * len(names)]
+    lines = [head, "| --- |" + " ---: | ---: |" * len(names)]
     kinds = list(dict.fromkeys((r["policy"], r["count"]) for r in rows if r["policy"] != "recognized"))
     for policy, count in kinds:
         cells = []
@@ -148,7 +151,7 @@ def write_tables(study, rows, folder):
     (folder / "outliers.md").write_text("\n".join(lines) + "\n")
 
     graphs = list(dict.fromkeys(r["graph"] for r in rows if r["policy"] == "recognized"))
-    lines = ["| graph | " + " | ".join(names) + " |", "|---|" + "---:|" * len(names)]
+    lines = ["| graph | " + " | ".join(names) + " |", "| --- |" + " ---: |" * len(names)]
     for graph in graphs:
         chosen = {r["configuration"]: r["error_m"] for r in rows if r["graph"] == graph}
         lines.append(f"| {graph} | " + " | ".join(spread([chosen.get(n, '')], 3).split(" ")[0] for n in names) + " |")
