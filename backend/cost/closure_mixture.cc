@@ -21,10 +21,18 @@ constexpr double kPriorInliers = 10.0;
 // Neither kind is ever ruled out.
 constexpr double kLeastRatio = 1e-3;
 
-// Of the area of the map, where wrong measurements may lie.
-double LogArea(const std::vector<SE2>& poses) {
+// Of the area of the map, where wrong measurements may lie: of the nodes along the robot's way, and
+// not of an origin that only priors name.
+double LogArea(const PoseGraphView& graph, const GraphIndex& index, const std::vector<SE2>& poses) {
   Eigen::AlignedBox2d area;
-  for (const SE2& pose : poses) area.extend(pose.translation());
+  for (std::size_t k = 0; k < graph.edges.size(); ++k) {
+    if (graph.edges[k].kind == EdgeKind::kLoopClosure) continue;
+    area.extend(poses[index.edges[k].i].translation());
+    area.extend(poses[index.edges[k].j].translation());
+  }
+  if (area.isEmpty()) {
+    for (const SE2& pose : poses) area.extend(pose.translation());
+  }
   // A metre around it, so that a map of one pose has an area too.
   const Eigen::Array2d sides = area.sizes().array() + 2.0;
   return std::log(sides.prod());
@@ -63,7 +71,7 @@ Measured MeasuredBy(const Edge& edge, double log_area) {
 ClosureMixture FitClosureMixture(const PoseGraphView& graph, const GraphIndex& index,
                                  const std::vector<SE2>& poses) {
   const std::vector<double> squared = SquaredErrors(graph, index, poses);
-  const double log_area = LogArea(poses);
+  const double log_area = LogArea(graph, index, poses);
   ClosureMixture mixture;
   mixture.inlier_probability.assign(squared.size(), 1.0);
   mixture.outlier_cost.assign(squared.size(), std::numeric_limits<double>::infinity());

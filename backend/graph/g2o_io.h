@@ -32,9 +32,10 @@ using G2oRemarks = std::map<std::string, std::int64_t>;
 // and PARAMS_... records; lines end as on any system. Units are metres and radians, information
 // that of Edge. An edge between neighbors in the ascending order of the ids that exist is odometry,
 // any other one a loop closure, since the format does not say. Priors become loop closures with a
-// fixed node at the origin, whose id is the largest plus one. A file without vertices gets one for
-// every id that is named, in ascending order, placed along the odometry chain from the origin; else
-// every id that is used must have its vertex.
+// fixed node at the origin, whose id is the largest plus one; edges of such a node are loop
+// closures when it is read back. A file without vertices gets one for every id that is named, in
+// ascending order, placed along the odometry chain from the origin; else every id that is used must
+// have its vertex.
 //
 // Left out, with a remark: edges from a node to itself, edges whose information is zero or not
 // positive semidefinite, and records that say nothing about poses (VERTEX_SWITCH,

@@ -204,6 +204,15 @@ void G2oReader::MakeNodes() {
   }
 }
 
+// A fixed vertex with the largest id, at the origin: no robot ends where its frame begins and
+// knows it. -1: there is none.
+std::int64_t G2oReader::OriginOfPriors() const {
+  if (graph_.nodes.empty()) return -1;
+  const Node& last = *std::ranges::max_element(graph_.nodes, {}, &Node::id);
+  const bool is_fixed = std::ranges::find(fixed_, last.id) != fixed_.end();
+  return is_fixed && last.world_T_node == SE2{} ? last.id : -1;
+}
+
 // Neighbors in ascending order of the ids that exist are the robot's way: where nodes were
 // removed, the edge across the gap is as sure as the others.
 void G2oReader::TellChainFromClosures() {
@@ -213,8 +222,11 @@ void G2oReader::TellChainFromClosures() {
   const auto rank = [&](std::int64_t id) {
     return std::lower_bound(ids.begin(), ids.end(), id) - ids.begin();
   };
+  // The origin that AddPriors adds, in a file that was written.
+  const std::int64_t origin = OriginOfPriors();
   for (Edge& edge : graph_.edges) {
-    const bool neighbors = std::abs(rank(edge.i) - rank(edge.j)) == 1;
+    const bool neighbors =
+        std::abs(rank(edge.i) - rank(edge.j)) == 1 && edge.i != origin && edge.j != origin;
     edge.kind = neighbors ? EdgeKind::kOdometry : EdgeKind::kLoopClosure;
   }
 }

@@ -63,6 +63,7 @@ class G2oReader {
   bool IsInformation(const Eigen::Matrix3d& information);
 
   void MakeNodes();
+  std::int64_t OriginOfPriors() const;
   void TellChainFromClosures();
   void AddPriors();
   void PlaceNodes();

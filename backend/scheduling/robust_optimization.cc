@@ -19,6 +19,8 @@ namespace {
 // Scale of dynamic covariance scaling: the 0.999 quantile of the errors of right closures (the root
 // of that of the chi-square distribution with three degrees of freedom).
 constexpr double kDcsScale = 4.033;
+// Of the time that an optimization may take: least squares is in vain where closures are wrong.
+constexpr double kFirstPartOfTime = 0.3;
 constexpr int kMaxRounds = 20;  // of sorting closures and least squares; a few are usual
 
 void SetPoses(const std::vector<SE2>& poses, PoseGraph* graph) {
@@ -47,13 +49,15 @@ class RobustOptimization {
   Summary* summary() { return &summary_; }
 
   // Optimizes `graph` from its poses, or where the options say, as one stage of all.
-  bool Optimize(Initialization initialization, const Loss& loss, PoseGraph* graph) {
+  // Takes at most that part of the time that is left.
+  bool Optimize(Initialization initialization, const Loss& loss, PoseGraph* graph,
+                double part_of_time = 1.0) {
     Options stage = options_;
     stage.initialization = initialization;
     stage.loss = loss;
     if (deadline_ != std::chrono::steady_clock::time_point::max()) {
       const std::chrono::duration<double> left = deadline_ - std::chrono::steady_clock::now();
-      stage.max_solver_time_s = std::max(0.0, left.count());
+      stage.max_solver_time_s = std::max(0.0, part_of_time * left.count());
     }
     Summary result = OptimizeSafely(stage, optimizer_, graph);
     result.iterations.insert(result.iterations.begin(), summary_.iterations.begin(),
@@ -128,22 +132,40 @@ double PartAbove(double squared_error) {
          std::sqrt(2.0 * squared_error / std::numbers::pi) * std::exp(-squared_error / 2.0);
 }
 
-// Whether the largest error of all loop closures is no larger than chance makes it.
+// The 0.99 quantile of the chi-square distribution (Wilson and Hilferty 1931).
+double Quantile99(double degrees_of_freedom) {
+  const double variance = 2.0 / (9.0 * degrees_of_freedom);
+  return degrees_of_freedom * std::pow(1.0 - variance + 2.326 * std::sqrt(variance), 3.0);
+}
+
+// Whether least squares explains the graph: the largest error of all loop closures is no larger
+// than chance makes it, and neither is the sum of all errors. A long way bends so easily that a
+// wrong closure hardly shows in its own error.
 bool EveryClosureAgrees(const PoseGraph& graph, const GraphIndex& index,
                         const std::vector<SE2>& poses) {
   constexpr double kSignificance = 0.01;
+  constexpr double kMisjudged = 1.1;  // covariances that are a little too small are no outliers
   const std::vector<double> squared = SquaredErrors(graph, index, poses);
-  double largest = 0.0, closures = 0.0;
+  double largest = 0.0, closures = 0.0, sum = 0.0;
   for (std::size_t k = 0; k < squared.size(); ++k) {
+    sum += squared[k];
     if (graph.edges[k].kind != EdgeKind::kLoopClosure) continue;
     largest = std::max(largest, squared[k]);
     closures += 1.0;
   }
-  return closures == 0.0 || closures * PartAbove(largest) >= kSignificance;
+  if (closures == 0.0) return true;
+  const double unknowns = 3.0 * static_cast<double>(std::ranges::count(index.fixed, false));
+  const double degrees_of_freedom = 3.0 * static_cast<double>(squared.size()) - unknowns;
+  return closures * PartAbove(largest) >= kSignificance &&
+         sum <= kMisjudged * Quantile99(std::max(degrees_of_freedom, 1.0));
 }
 
 bool IsBetter(const ClosureMixture& a, const ClosureMixture& b) {
   return a.negative_log_likelihood < b.negative_log_likelihood;
+}
+
+void KeepBetter(std::optional<Explanation> other, std::optional<Explanation>* best) {
+  if (other && (!*best || IsBetter(other->mixture, (*best)->mixture))) *best = std::move(other);
 }
 
 }  // namespace
@@ -152,22 +174,24 @@ Summary OptimizeRobustly(const Options& options, Optimizer* optimizer, PoseGraph
   const PoseGraph given = *graph;
   RobustOptimization robust(options, optimizer, given);
   const GraphIndex& index = robust.index();
-  if (!robust.Optimize(options.initialization, {}, graph)) return *robust.summary();
+  if (!robust.Optimize(options.initialization, {}, graph, kFirstPartOfTime)) {
+    return *robust.summary();
+  }
   const std::vector<SE2> least_squares = PosesOf(*graph);
   if (EveryClosureAgrees(given, index, least_squares)) {
     robust.summary()->edge_weights.assign(given.edges.size(), 1.0);
     return *robust.summary();
   }
 
-  // Given poses may be anything: where it is up to us, the odometry is the better start.
-  const Initialization start = options.initialization == Initialization::kAuto
-                                   ? Initialization::kOdometry
-                                   : options.initialization;
-  std::optional<Explanation> best = robust.ScaleAndRefine(start);
+  // Where it is up to us, both the odometry and what the back end chooses are starts.
+  std::vector<Initialization> starts = {options.initialization};
+  if (options.initialization == Initialization::kAuto) starts.push_back(Initialization::kOdometry);
+  std::optional<Explanation> best;
+  for (const Initialization start : starts) KeepBetter(robust.ScaleAndRefine(start), &best);
   // Where few are wrong, least squares or the given poses may be nearer to the truth.
   for (const std::vector<SE2>& poses : {least_squares, PosesOf(given)}) {
     if (best && IsBetter(FitClosureMixture(given, index, poses), best->mixture)) {
-      best = robust.Refine(poses);
+      KeepBetter(robust.Refine(poses), &best);
     }
   }
   graph->nodes = given.nodes;

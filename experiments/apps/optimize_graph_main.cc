@@ -139,6 +139,8 @@ void Run() {
   for (const auto& [remark, count] : remarks) {
     LOG(WARNING) << FLAGS_input << ": " << remark << " (" << count << ")";
   }
+  if (graph.nodes.empty()) LOG(WARNING) << FLAGS_input << ": holds no vertices and no edges";
+  ThrowIfInterrupted();
   std::optional<PoseGraph> before;
   if (png) before = graph;
 
@@ -148,6 +150,7 @@ void Run() {
   if (summary.termination == backend::Termination::kFailure) {
     throw std::runtime_error("the back end " + BackendFromFlags() + " failed: " + summary.message);
   }
+  ThrowIfInterrupted();
   if (FLAGS_verbose) PrintTable(summary);
   if (output) {
     output->files().Write(output->name(),

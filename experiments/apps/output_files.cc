@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -34,6 +35,24 @@ void TryToWrite(const std::string& folder) {
   std::error_code ignored;
   fs::remove(probe, ignored);
 }
+
+// SIGINT and SIGTERM wait for its end.
+class SignalsBlocked {
+ public:
+  SignalsBlocked() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals, &before_);
+  }
+  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsBlocked(const SignalsBlocked&) = delete;
+  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+
+ private:
+  sigset_t before_;
+};
 
 }  // namespace
 
@@ -82,6 +101,7 @@ void OutputFiles::Commit() {
       throw std::runtime_error("cannot write '" + target.string() + "'");
     }
   }
+  const SignalsBlocked blocked;  // between two files, the folder would hold some of each set
   for (const std::string& name : names_) {
     const fs::path target = fs::path(folder_) / name;
     std::error_code error;

@@ -84,6 +84,21 @@ TEST(FitClosureMixture, JudgesClosuresThatMeasureThePositionAlone) {
   EXPECT_LT(mistaken, 5);  // some wrong ones are near the truth by chance
 }
 
+TEST(FitClosureMixture, AnOriginFarAwayIsNoPartOfTheMap) {
+  Sample sample = MakeSample(1, 300, 100, 0.1);
+  for (int k = 1; k < 100; ++k) {
+    const SE2 motion =
+        Between(sample.graph.nodes[k - 1].world_T_node, sample.graph.nodes[k].world_T_node);
+    sample.graph.edges.push_back({k - 1, k, motion, InformationFromSigmas(0.1, 0.1)});
+  }
+  const double cost = Fit(sample.graph).outlier_cost[0];
+  const SE2 origin{5e5, 4e6, 0.0};
+  sample.graph.nodes.push_back({.id = 100, .world_T_node = origin, .fixed = true});
+  sample.graph.edges.push_back({100, 0, Between(origin, sample.graph.nodes[0].world_T_node),
+                                InformationFromSigmas(0.1, 0.1), EdgeKind::kLoopClosure});
+  EXPECT_NEAR(Fit(sample.graph).outlier_cost[0], cost, 0.1);
+}
+
 TEST(FitClosureMixture, NeverTakesTheVarianceForSmaller) {
   EXPECT_EQ(Fit(MakeSample(1, 300, 0, 0.05).graph).variance_factor, 1.0);
 }

@@ -124,6 +124,19 @@ TEST(G2oReader, APriorCostsWhatG2oSays) {
   EXPECT_THAT(remarks, ElementsAre(Pair(HasSubstr("priors"), 1)));
 }
 
+TEST(G2oReader, APriorStaysALoopClosureWhenTheGraphIsWrittenAndReadBack) {
+  for (const char* id : {"0", "2"}) {
+    const PoseGraph graph =
+        Read(std::string(kGraph) + "EDGE_PRIOR_SE2 " + id + " 1 1 0 10 0 0 10 0 10\n");
+    const PoseGraph again = Read(Text(graph));
+    ASSERT_EQ(again.edges.size(), graph.edges.size());
+    for (std::size_t k = 0; k < graph.edges.size(); ++k) {
+      EXPECT_EQ(again.edges[k].kind, graph.edges[k].kind) << id << " " << k;
+    }
+    EXPECT_EQ(graph.edges.back().kind, EdgeKind::kLoopClosure);
+  }
+}
+
 TEST(G2oReader, APriorOfThePositionLeavesTheHeadingFree) {
   const PoseGraph graph = Read("VERTEX_SE2 7 3 4 2\nEDGE_PRIOR_SE2_XY 7 1 1 10 1 20\n");
   const Eigen::Vector2d error(2, 3);

@@ -55,6 +55,23 @@ TEST(OptimizeRobustly, TellsWrongClosuresFromRightOnes) {
   }
 }
 
+// It bends by a little at each of 300 steps, so that its own error is small.
+TEST(OptimizeRobustly, FindsAWrongClosureThatALongWayAbsorbs) {
+  for (const char* name : Built({"spa", "ceres"})) {
+    PoseGraph graph;
+    for (int k = 0; k < 300; ++k) {
+      graph.nodes.push_back({.id = k, .world_T_node = {1.0 * k, 0.0, 0.0}});
+      if (k == 0) continue;
+      graph.edges.push_back({k - 1, k, {1, 0, 0}, InformationFromSigmas(0.1, 0.03)});
+    }
+    graph.edges.push_back({0, 299, {}, InformationFromSigmas(0.1, 0.1), EdgeKind::kLoopClosure});
+    const PoseGraph truth = graph;
+    const Summary summary = OptimizeRobustly(Mixture(), LoadOptimizer(name).get(), &graph);
+    EXPECT_LT(summary.edge_weights.back(), 0.5) << name;
+    EXPECT_LT(LargestDistance(truth, graph), 1e-6) << name;
+  }
+}
+
 TEST(OptimizeRobustly, EndsNoWorseThanItBegan) {
   const std::unique_ptr<Optimizer> optimizer = LoadOptimizer("spa");
   for (unsigned seed = 0; seed < 20; ++seed) {
