@@ -183,11 +183,11 @@ Summary OptimizeRobustly(const Options& options, Optimizer* optimizer, PoseGraph
     return *robust.summary();
   }
 
-  // Where it is up to us, both the odometry and what the back end chooses are starts.
-  std::vector<Initialization> starts = {options.initialization};
-  if (options.initialization == Initialization::kAuto) starts.push_back(Initialization::kOdometry);
-  std::optional<Explanation> best;
-  for (const Initialization start : starts) KeepBetter(robust.ScaleAndRefine(start), &best);
+  std::optional<Explanation> best = robust.ScaleAndRefine(options.initialization);
+  // Where it is up to us, the odometry is another start, unless the back end moves nothing at all.
+  if (options.initialization == Initialization::kAuto && best && best->poses != PosesOf(given)) {
+    KeepBetter(robust.ScaleAndRefine(Initialization::kOdometry), &best);
+  }
   // Where few are wrong, least squares or the given poses may be nearer to the truth.
   for (const std::vector<SE2>& poses : {least_squares, PosesOf(given)}) {
     if (best && IsBetter(FitClosureMixture(given, index, poses), best->mixture)) {

@@ -81,6 +81,14 @@ TEST(OptimizeRobustly, EndsNoWorseThanItBegan) {
   }
 }
 
+TEST(OptimizeRobustly, LeavesThePosesToABackEndThatMovesNone) {
+  PoseGraph graph = OutlierGraph(1, 10, kGoodGraph);
+  const PoseGraph given = graph;
+  const Summary summary = OptimizeRobustly(Mixture(), LoadOptimizer("none").get(), &graph);
+  EXPECT_EQ(LargestDistance(graph, given), 0.0);
+  EXPECT_EQ(summary.final_cost, summary.initial_cost);
+}
+
 class FailingOptimizer : public Optimizer {
  public:
   Summary Optimize(const Options&, std::span<const Edge>, std::span<Node>) override { return {}; }
