@@ -7,8 +7,8 @@
 
 namespace gmapping_spa::backend {
 
-// What LossKind::kMixture stands for. Least squares, when every loop closure agrees with its
-// result; else the steps
+// What LossKind::kMixture stands for. Least squares, when neither the largest error of all loop
+// closures nor the sum of all errors is larger than chance makes it; else the steps
 //   1. dynamic covariance scaling, which finds poses near the truth,
 //   2. a mixture of right and wrong closures is fitted to the errors there (FitClosureMixture),
 //   3. least squares of those that are rather right than wrong, with the variance that they show,
