@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "backend/cost/closure_mixture.h"
@@ -27,10 +28,13 @@ void SetPoses(const std::vector<SE2>& poses, PoseGraph* graph) {
   for (std::size_t k = 0; k < poses.size(); ++k) graph->nodes[k].world_T_node = poses[k];
 }
 
-// Poses with the mixture that explains the errors there.
+// Poses with the mixture that explains the errors there, and how the optimizer came to them: what
+// becomes of other starts does not concern them.
 struct Explanation {
   std::vector<SE2> poses;
   ClosureMixture mixture;
+  Termination termination = Termination::kNoConvergence;
+  std::string message = "loop closures still changed sides";
 };
 
 // The optimizer with the graph and what is left of the time.
@@ -48,8 +52,7 @@ class RobustOptimization {
   const GraphIndex& index() const { return index_; }
   Summary* summary() { return &summary_; }
 
-  // Optimizes `graph` from its poses, or where the options say, as one stage of all.
-  // Takes at most that part of the time that is left.
+  // Optimizes `graph` as one stage of all, in at most that part of the time that is left.
   bool Optimize(Initialization initialization, const Loss& loss, PoseGraph* graph,
                 double part_of_time = 1.0) {
     Options stage = options_;
@@ -68,7 +71,7 @@ class RobustOptimization {
 
   Explanation Explain(std::vector<SE2> poses) const {
     ClosureMixture mixture = FitClosureMixture(graph_, index_, poses);
-    return {std::move(poses), std::move(mixture)};
+    return {.poses = std::move(poses), .mixture = std::move(mixture)};
   }
 
   // Steps 2 and 3. Returns nothing when the optimizer fails.
@@ -80,7 +83,11 @@ class RobustOptimization {
       Explanation next = Explain(PosesOf(accepted));
       const bool settled = SameSides(now.mixture, next.mixture);
       now = std::move(next);
-      if (settled) break;
+      if (settled) {
+        now.termination = summary_.termination;
+        now.message = summary_.message;
+        break;
+      }
     }
     return now;
   }
@@ -179,6 +186,12 @@ Summary OptimizeRobustly(const Options& options, Optimizer* optimizer, PoseGraph
   }
   const std::vector<SE2> least_squares = PosesOf(*graph);
   if (EveryClosureAgrees(given, index, least_squares)) {
+    const bool ran_out_of_time = robust.summary()->termination == Termination::kNoConvergence &&
+                                 std::isfinite(options.max_solver_time_s);
+    if (ran_out_of_time && !robust.Optimize(Initialization::kKeep, {}, graph)) {
+      robust.summary()->termination = Termination::kNoConvergence;
+    }
+    robust.summary()->initial_cost = GraphCost(given, index);
     robust.summary()->edge_weights.assign(given.edges.size(), 1.0);
     return *robust.summary();
   }
@@ -200,6 +213,8 @@ Summary OptimizeRobustly(const Options& options, Optimizer* optimizer, PoseGraph
     summary.initial_cost = summary.final_cost = GraphCost(given, index);
     return summary;
   }
+  summary.termination = best->termination;
+  summary.message = best->message;
   summary.initial_cost = MixtureCost(given, index, PosesOf(given), best->mixture);
   summary.final_cost = MixtureCost(given, index, best->poses, best->mixture);
   if (summary.final_cost > summary.initial_cost) {

@@ -94,6 +94,31 @@ class FailingOptimizer : public Optimizer {
   Summary Optimize(const Options&, std::span<const Edge>, std::span<Node>) override { return {}; }
 };
 
+// Fails when dynamic covariance scaling starts for the second time.
+class FailingAtTheSecondStart : public Optimizer {
+ public:
+  Summary Optimize(const Options& options, std::span<const Edge> edges,
+                   std::span<Node> nodes) override {
+    if (options.loss.kind == LossKind::kDcs && ++starts_ == 2) return {};
+    return spa_->Optimize(options, edges, nodes);
+  }
+  int starts() const { return starts_; }
+
+ private:
+  std::unique_ptr<Optimizer> spa_ = LoadOptimizer("spa");
+  int starts_ = 0;
+};
+
+TEST(OptimizeRobustly, AStartThatFailsUndoesNoOther) {
+  PoseGraph clean = RandomGraph(1, kGoodGraph), graph = OutlierGraph(1, 10, kGoodGraph);
+  OptimizeSafely({}, LoadOptimizer("spa").get(), &clean);
+  FailingAtTheSecondStart optimizer;
+  const Summary summary = OptimizeRobustly(Mixture(), &optimizer, &graph);
+  EXPECT_EQ(optimizer.starts(), 2);
+  EXPECT_EQ(summary.termination, Termination::kConverged);
+  EXPECT_LT(LargestDistance(clean, graph), 1e-3);
+}
+
 TEST(OptimizeRobustly, FailsWithTheGivenPosesWhenTheOptimizerDoes) {
   PoseGraph graph = OutlierGraph(1, 10, kGoodGraph);
   const PoseGraph given = graph;
