@@ -12,7 +12,7 @@ packages=(
   cmake g++ make ninja-build pkg-config
   # libraries
   libboost-dev libboost-iostreams-dev libcairo2-dev libceres-dev libeigen3-dev libgflags-dev
-  libgoogle-glog-dev libpng-dev librandom123-dev libssl-dev libstb-dev libyaml-cpp-dev
+  libgoogle-glog-dev libmetis-dev libpng-dev librandom123-dev libssl-dev libstb-dev libyaml-cpp-dev
   libsuitesparse-dev nlohmann-json3-dev
   # tests and scripts
   googletest libbenchmark-dev libgmock-dev libgtest-dev python3

@@ -4,6 +4,8 @@
 #define GMAPPING_SPA_BACKEND_COST_EDGE_ERROR_H_
 
 #include <Eigen/Core>
+#include <cmath>
+#include <vector>
 
 #include "backend/cost/robust_loss.h"
 #include "backend/graph/pose_graph.h"
@@ -16,6 +18,28 @@ namespace gmapping_spa::backend {
 // files' information (g2o itself turns the error into the frame of the measurement's end).
 inline Eigen::Vector3d EdgeError(const SE2& world_T_i, const SE2& world_T_j, const SE2& i_T_j) {
   return Minus(Between(world_T_i, world_T_j), i_T_j);
+}
+
+// Cosine and sine of a node's angle, which all of its edges need.
+struct Heading {
+  double cos = 1.0;
+  double sin = 0.0;
+};
+
+inline std::vector<Heading> HeadingsOf(const std::vector<SE2>& poses) {
+  std::vector<Heading> headings;
+  headings.reserve(poses.size());
+  for (const SE2& pose : poses) headings.push_back({std::cos(pose.theta), std::sin(pose.theta)});
+  return headings;
+}
+
+// The same error, with the heading of node i.
+inline Eigen::Vector3d EdgeError(const SE2& world_T_i, const Heading& heading_i,
+                                 const SE2& world_T_j, const SE2& i_T_j) {
+  const double dx = world_T_j.x - world_T_i.x, dy = world_T_j.y - world_T_i.y;
+  return {heading_i.cos * dx + heading_i.sin * dy - i_T_j.x,
+          -heading_i.sin * dx + heading_i.cos * dy - i_T_j.y,
+          WrapAngle(world_T_j.theta - world_T_i.theta - i_T_j.theta)};
 }
 
 // An error with its Jacobians in the coordinates (x, y, theta) of the two poses, which optimizers

@@ -6,41 +6,38 @@
 namespace gmapping_spa::backend {
 namespace {
 
-template <typename PoseOfNode>
-double SumCost(const PoseGraphView& graph, const GraphIndex& index, const Loss& loss,
-               const PoseOfNode& pose) {
-  double cost = 0.0;
+// Calls visit(k, e' Omega e) for each edge k.
+template <typename Visit>
+void ForEachSquaredError(const PoseGraphView& graph, const GraphIndex& index,
+                         const std::vector<SE2>& poses, const Visit& visit) {
+  const std::vector<Heading> headings = HeadingsOf(poses);
   for (std::size_t k = 0; k < graph.edges.size(); ++k) {
     const Edge& edge = graph.edges[k];
-    const Eigen::Vector3d error =
-        EdgeError(pose(index.edges[k].i), pose(index.edges[k].j), edge.i_T_j);
-    const double s = error.dot(edge.information * error);
-    cost += EvaluateLoss(LossOfEdge(edge, loss), s).rho / 2.0;
+    const auto [i, j] = index.edges[k];
+    const Eigen::Vector3d error = EdgeError(poses[i], headings[i], poses[j], edge.i_T_j);
+    visit(k, error.dot(edge.information * error));
   }
-  return cost;
 }
 
 }  // namespace
 
 double GraphCost(const PoseGraphView& graph, const GraphIndex& index, const Loss& loss) {
-  return SumCost(graph, index, loss,
-                 [&](int node) -> const SE2& { return graph.nodes[node].world_T_node; });
+  return GraphCost(graph, index, PosesOf(graph), loss);
 }
 
 double GraphCost(const PoseGraphView& graph, const GraphIndex& index, const std::vector<SE2>& poses,
                  const Loss& loss) {
-  return SumCost(graph, index, loss, [&](int node) -> const SE2& { return poses[node]; });
+  double cost = 0.0;
+  ForEachSquaredError(graph, index, poses, [&](std::size_t k, double s) {
+    cost += EvaluateLoss(LossOfEdge(graph.edges[k], loss), s).rho / 2.0;
+  });
+  return cost;
 }
 
 std::vector<double> SquaredErrors(const PoseGraphView& graph, const GraphIndex& index,
                                   const std::vector<SE2>& poses) {
   std::vector<double> squared(graph.edges.size());
-  for (std::size_t k = 0; k < squared.size(); ++k) {
-    const Edge& edge = graph.edges[k];
-    const Eigen::Vector3d error =
-        EdgeError(poses[index.edges[k].i], poses[index.edges[k].j], edge.i_T_j);
-    squared[k] = error.dot(edge.information * error);
-  }
+  ForEachSquaredError(graph, index, poses, [&](std::size_t k, double s) { squared[k] = s; });
   return squared;
 }
 

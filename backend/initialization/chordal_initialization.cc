@@ -40,7 +40,7 @@ bool SolveRotations(const PoseGraphView& graph, const GraphStructure& graph_stru
     if (a < 0) x[b] += weighted_rotation * direction(i);
     if (b < 0) x[a] += weighted_rotation.transpose() * direction(j);
   }
-  const bool solved = memory->cholesky.Solve(structure, graph_structure.symbolic(), matrix, &x);
+  const bool solved = memory->cholesky.Solve(graph_structure, matrix, &x);
   memory->equations.hessian = PoseMatrix(std::move(matrix));
   if (!solved) return false;
   for (int k = 0; k < structure.columns(); ++k) {
@@ -57,7 +57,7 @@ bool SolvePoses(const PoseGraphView& graph, const GraphStructure& structure, Sol
   NormalEquations& equations = memory->equations;
   LinearizeForTranslations(graph, structure.index(), structure.blocks(), *poses, &equations);
   PoseMatrix::Vector& x = equations.minus_gradient;
-  if (!memory->cholesky.Solve(structure.blocks(), structure.symbolic(), equations.hessian, &x)) {
+  if (!memory->cholesky.Solve(structure, equations.hessian, &x)) {
     return false;
   }
   for (std::size_t k = 0; k < free_nodes.size(); ++k) {
@@ -101,7 +101,7 @@ bool SolveRotationsAndTranslations(const PoseGraphView& graph,
     if (a < 0) x[b] += w.cwiseProduct(m * known(i));
     if (b < 0) x[a] += weighted * known(j);
   }
-  const bool solved = memory->cholesky.Solve(structure, graph_structure.symbolic(), matrix, &x);
+  const bool solved = memory->cholesky.Solve(graph_structure, matrix, &x);
   memory->equations.hessian = PoseMatrix(std::move(matrix));
   if (!solved) return false;
   for (int k = 0; k < structure.columns(); ++k) {

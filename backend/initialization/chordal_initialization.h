@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "backend/graph/pose_graph.h"
-#include "backend/sparse/block_cholesky.h"
-#include "backend/sparse/graph_structure.h"
+#
 #include "backend/sparse/normal_equations.h"
+#include "backend/sparse/sparse_cholesky.h"
 
 namespace gmapping_spa::spa {
 
 // Memory that a solve needs, kept from one to the next.
 struct SolverMemory {
   NormalEquations equations;
-  BlockCholesky cholesky;
+  SparseCholesky cholesky;
 };
 
 // Two linear least-squares problems on the structure of the graph (Carlone, Tron, Daniilidis,

@@ -24,6 +24,11 @@ constexpr double kDcsScale = 4.033;
 constexpr double kFirstPartOfTime = 0.3;
 constexpr int kMaxRounds = 20;  // of sorting closures and least squares; a few are usual
 
+PoseGraph CopyOf(const PoseGraphView& graph) {
+  return {.nodes = {graph.nodes.begin(), graph.nodes.end()},
+          .edges = {graph.edges.begin(), graph.edges.end()}};
+}
+
 void SetPoses(const std::vector<SE2>& poses, PoseGraph* graph) {
   for (std::size_t k = 0; k < poses.size(); ++k) graph->nodes[k].world_T_node = poses[k];
 }
@@ -40,7 +45,7 @@ struct Explanation {
 // The optimizer with the graph and what is left of the time.
 class RobustOptimization {
  public:
-  RobustOptimization(const Options& options, Optimizer* optimizer, const PoseGraph& graph)
+  RobustOptimization(const Options& options, Optimizer* optimizer, const PoseGraphView& graph)
       : options_(options),
         optimizer_(optimizer),
         graph_(graph),
@@ -94,7 +99,7 @@ class RobustOptimization {
 
   // Steps 1 to 3. Returns nothing when the optimizer fails.
   std::optional<Explanation> ScaleAndRefine(Initialization initialization) {
-    PoseGraph graph = graph_;
+    PoseGraph graph = CopyOf(graph_);
     if (!Optimize(initialization, {LossKind::kDcs, kDcsScale}, &graph)) return std::nullopt;
     return Refine(PosesOf(graph));
   }
@@ -102,7 +107,7 @@ class RobustOptimization {
  private:
   // The graph without closures that are rather wrong than right.
   PoseGraph Accepted(const Explanation& explanation) const {
-    PoseGraph accepted{.nodes = graph_.nodes, .edges = {}};
+    PoseGraph accepted{.nodes = {graph_.nodes.begin(), graph_.nodes.end()}, .edges = {}};
     SetPoses(explanation.poses, &accepted);
     for (std::size_t k = 0; k < graph_.edges.size(); ++k) {
       if (explanation.mixture.inlier_probability[k] < 0.5) continue;
@@ -126,7 +131,7 @@ class RobustOptimization {
 
   Options options_;
   Optimizer* optimizer_;
-  const PoseGraph& graph_;
+  PoseGraphView graph_;
   GraphIndex index_;
   std::chrono::steady_clock::time_point deadline_;
   Summary summary_;
@@ -148,7 +153,7 @@ double Quantile99(double degrees_of_freedom) {
 // Whether least squares explains the graph: the largest error of all loop closures is no larger
 // than chance makes it, and neither is the sum of all errors. A long way bends so easily that a
 // wrong closure hardly shows in its own error.
-bool EveryClosureAgrees(const PoseGraph& graph, const GraphIndex& index,
+bool EveryClosureAgrees(const PoseGraphView& graph, const GraphIndex& index,
                         const std::vector<SE2>& poses) {
   constexpr double kSignificance = 0.01;
   constexpr double kMisjudged = 1.1;  // covariances that are a little too small are no outliers
@@ -178,7 +183,8 @@ void KeepBetter(std::optional<Explanation> other, std::optional<Explanation>* be
 }  // namespace
 
 Summary OptimizeRobustly(const Options& options, Optimizer* optimizer, PoseGraph* graph) {
-  const PoseGraph given = *graph;
+  const std::vector<Node> given_nodes = graph->nodes;
+  const PoseGraphView given(given_nodes, graph->edges);
   RobustOptimization robust(options, optimizer, given);
   const GraphIndex& index = robust.index();
   if (!robust.Optimize(options.initialization, {}, graph, kFirstPartOfTime)) {
@@ -207,7 +213,7 @@ Summary OptimizeRobustly(const Options& options, Optimizer* optimizer, PoseGraph
       KeepBetter(robust.Refine(poses), &best);
     }
   }
-  graph->nodes = given.nodes;
+  graph->nodes = given_nodes;
   Summary summary = *robust.summary();
   if (!best) {
     summary.initial_cost = summary.final_cost = GraphCost(given, index);

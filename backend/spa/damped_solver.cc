@@ -23,7 +23,7 @@ bool DampedSolver::Solve(const GraphStructure& structure, double lambda, LinearS
     return cholmod_.Solve(structure.blocks(), *hessian,
                           !std::exchange(cholmod_knows_structure_, true), step);
   }
-  return memory->cholesky.Solve(structure.blocks(), structure.symbolic(), *hessian, step);
+  return memory->cholesky.Solve(structure, *hessian, step);
 }
 
 double PredictedDecrease(const NormalEquations& equations, double lambda,

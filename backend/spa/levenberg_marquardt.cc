@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "backend/cost/graph_cost.h"
-
 namespace gmapping_spa::spa {
 namespace {
 
@@ -65,6 +63,7 @@ bool LevenbergMarquardt::Minimize(const Options& options, const GraphProblem& pr
       summary->message = "ran out of time";
       break;
     }
+    const bool is_last = static_cast<int>(summary->iterations.size()) + 1 == options.max_iterations;
     const bool solved = solver_.Solve(problem.structure, damping, options.solver, memory, &step);
     backend::IterationRecord record;
     record.cost = summary->final_cost;
@@ -80,14 +79,15 @@ bool LevenbergMarquardt::Minimize(const Options& options, const GraphProblem& pr
       if (damping <= kFirstDamping && predicted <= kLastStepDecrease * summary->final_cost) {
         // Near the minimum, the next Gauss-Newton step gains no more than the quadratic model was
         // wrong by.
-        record.cost =
-            backend::GraphCost(problem.graph, problem.structure.index(), current, problem.loss);
+        record.cost = problem.CostAt(current);
         const double model_error = memory->equations.cost - predicted - record.cost;
         const bool next_gains_little = damping == 0.0 && std::abs(model_error) <= tolerance;
         converged = (predicted <= tolerance || next_gains_little) &&
                     record.cost <= summary->final_cost + tolerance;
       }
-      if (!converged) {
+      if (!converged && is_last) {
+        record.cost = problem.CostAt(current);
+      } else if (!converged) {
         problem.LinearizeAt(current, memory);
         record.cost = memory->equations.cost;
       }
@@ -112,7 +112,7 @@ bool LevenbergMarquardt::Minimize(const Options& options, const GraphProblem& pr
       }
       damping = Raised(damping);
       nonmonotonic_steps = 0;
-      if (solved) {
+      if (solved && !is_last) {
         current = *poses;
         problem.LinearizeAt(current, memory);
       }

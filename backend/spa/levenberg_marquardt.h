@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "backend/cost/graph_cost.h"
 #include "backend/plugin/optimizer.h"
 #include "backend/spa/damped_solver.h"
 
@@ -21,6 +22,10 @@ struct GraphProblem {
   // Makes the normal equations at `poses`.
   void LinearizeAt(const std::vector<backend::SE2>& poses, SolverMemory* memory) const {
     Linearize(graph, structure.index(), structure.blocks(), poses, loss, &memory->equations);
+  }
+
+  double CostAt(const std::vector<backend::SE2>& poses) const {
+    return backend::GraphCost(graph, structure.index(), poses, loss);
   }
 };
 
@@ -39,9 +44,9 @@ class LevenbergMarquardt {
     std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
   };
 
-  // Lowers the cost from `*poses`, where the normal equations in `*memory` are, on; they end as the
-  // best ones met. Fills in all of `*summary` but the initial cost; the iterations are added to
-  // those there. Returns false when it gave up early.
+  // Lowers the cost from `*poses`, where the normal equations in `*memory` are, on; the poses end
+  // as the best ones met, the equations anywhere. Fills in all of `*summary` but the initial cost;
+  // the iterations are added to those there. Returns false when it gave up early.
   bool Minimize(const Options& options, const GraphProblem& problem, SolverMemory* memory,
                 std::vector<backend::SE2>* poses, backend::Summary* summary);
 

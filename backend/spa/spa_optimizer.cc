@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "backend/cost/graph_cost.h"
-
 namespace gmapping_spa::spa {
 namespace {
 
@@ -80,24 +78,26 @@ Summary SpaOptimizer::Optimize(const Options& options, std::span<const backend::
   const PoseGraphView graph{nodes, edges};
   structure_.Update(backend::IndexGraph(graph));
   if (structure_.changed()) minimizer_.ForgetStructure();
+  memory_.cholesky.set_threads(backend::Settings(kSettings, options.settings).Integer("threads"));
 
+  const GraphProblem problem{graph, structure_, options.loss};
+  std::vector<SE2> poses = PosesOf(graph);
+  const bool may_continue = backend::KeepsStart(options) || std::isfinite(last_cost_);
   Summary summary;
-  summary.initial_cost = backend::GraphCost(graph, structure_.index(), options.loss);
+  if (may_continue) {
+    problem.LinearizeAt(poses, &memory_);
+    summary.initial_cost = memory_.equations.cost;
+  } else {
+    summary.initial_cost = problem.CostAt(poses);
+  }
   summary.final_cost = summary.initial_cost;
   if (!std::isfinite(summary.initial_cost)) {
     summary.message = "the cost of the given poses is not finite";
     return summary;
   }
-  const GraphProblem problem{graph, structure_, options.loss};
   const bool continues = summary.initial_cost <= kContinuationCostRatio * last_cost_;
   const bool choose_start = !backend::KeepsStart(options) && !continues;
-  std::vector<SE2> poses;
-  if (choose_start) {
-    poses = CheaperStart(problem, summary.initial_cost);
-  } else {
-    poses = PosesOf(graph);
-    problem.LinearizeAt(poses, &memory_);
-  }
+  if (choose_start) poses = CheaperStart(problem, summary.initial_cost);
   minimizer_options.give_up_early = choose_start;
   if (!minimizer_.Minimize(minimizer_options, problem, &memory_, &poses, &summary)) {
     TryAnotherStart(minimizer_options, problem, &poses, &summary);

@@ -29,7 +29,11 @@ class SpaOptimizer : public backend::Optimizer {
                              "lambda of eq. (5) in the first iteration; 0 is Gauss-Newton", 0.0),
       backend::IntegerSetting("max_nonmonotonic_steps", "2",
                               "steps in succession without a new lowest cost before damping starts",
-                              0)};
+                              0),
+      backend::IntegerSetting("threads", "1",
+                              "threads that may factorize a large graph, some ten thousand poses "
+                              "or more; the result does not depend on it",
+                              1, 1024)};
   static constexpr backend::LossKind kLosses[] = {
       backend::LossKind::kHuber, backend::LossKind::kCauchy, backend::LossKind::kDcs,
       backend::LossKind::kTruncated};

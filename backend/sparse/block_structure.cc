@@ -1,55 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "backend/sparse/block_structure.h"
 
-#include <suitesparse/amd.h>
-
 #include <algorithm>
-#include <new>
-#include <numeric>
+
+#include "backend/sparse/adjacency.h"
+#include "backend/sparse/elimination_order.h"
+#include "backend/sparse/elimination_tree.h"
 
 namespace gmapping_spa::spa {
 namespace {
 
-using backend::EdgeNodes;
 using backend::GraphIndex;
-
-// The pairs of columns that edges from `first_edge` on connect, each once: for each column from
-// `first_column` on, its rows in ascending order.
-struct Adjacency {
-  std::vector<int> begin;
-  std::vector<int> row;
-};
-
-Adjacency MakeAdjacency(const GraphIndex& index, const std::vector<int>& column_of_node,
-                        std::size_t first_edge, int first_column, int columns) {
-  const int new_columns = columns - first_column;
-  Adjacency adjacency{std::vector<int>(new_columns + 1, 0), std::vector<int>()};
-  const auto for_each_pair = [&](const auto& visit) {
-    for (std::size_t e = first_edge; e < index.edges.size(); ++e) {
-      const int a = column_of_node[index.edges[e].i], b = column_of_node[index.edges[e].j];
-      if (a >= 0 && b >= 0 && a != b) visit(std::min(a, b), std::max(a, b) - first_column);
-    }
-  };
-  for_each_pair([&](int, int column) { ++adjacency.begin[column + 1]; });
-  for (int k = 0; k < new_columns; ++k) adjacency.begin[k + 1] += adjacency.begin[k];
-  adjacency.row.resize(adjacency.begin.back());
-  std::vector<int> next(adjacency.begin.begin(), adjacency.begin.end() - 1);
-  for_each_pair([&](int row, int column) { adjacency.row[next[column]++] = row; });
-  // Columns are short: sort each, and close the gaps that duplicates leave.
-  int end = 0;
-  for (int k = 0; k < new_columns; ++k) {
-    const auto first = adjacency.row.begin() + adjacency.begin[k];
-    const auto last = adjacency.row.begin() + next[k];
-    std::sort(first, last);
-    const auto unique_last = std::unique(first, last);
-    std::copy(first, unique_last, adjacency.row.begin() + end);
-    adjacency.begin[k] = end;
-    end += static_cast<int>(unique_last - first);
-  }
-  adjacency.begin[new_columns] = end;
-  adjacency.row.resize(end);
-  return adjacency;
-}
 
 // Appends the columns from `first_column` on and the slots of the edges not yet known.
 void AppendBlocks(const GraphIndex& index, int first_column, BlockStructure* structure) {
@@ -73,36 +34,54 @@ void AppendBlocks(const GraphIndex& index, int first_column, BlockStructure* str
   }
 }
 
+// The nodes that have a column, numbered as they come.
+class FreeNodes {
+ public:
+  explicit FreeNodes(const GraphIndex& index) : number_of_node_(index.fixed.size(), -1) {
+    for (int k = 0; k < static_cast<int>(index.fixed.size()); ++k) {
+      if (index.fixed[k]) continue;
+      number_of_node_[k] = static_cast<int>(nodes_.size());
+      nodes_.push_back(k);
+    }
+  }
+
+  Adjacency MakeAdjacency(const GraphIndex& index) const {
+    return spa::MakeAdjacency(index, number_of_node_, 0, 0, static_cast<int>(nodes_.size()));
+  }
+
+  // The structure with these numbers as columns.
+  BlockStructure InOrder(const GraphIndex& index, const std::vector<int>& order) const {
+    BlockStructure structure;
+    structure.column_of_node.assign(number_of_node_.size(), -1);
+    structure.begin = {0};
+    for (const int number : order) {
+      structure.column_of_node[nodes_[number]] = structure.columns();
+      structure.node_of_column.push_back(nodes_[number]);
+    }
+    AppendBlocks(index, 0, &structure);
+    return structure;
+  }
+
+ private:
+  std::vector<int> number_of_node_;
+  std::vector<int> nodes_;
+};
+
 }  // namespace
 
 BlockStructure OrderByMinimumDegree(const GraphIndex& index) {
-  std::vector<int> free_node, number_of_node(index.fixed.size(), -1);
-  for (int k = 0; k < static_cast<int>(index.fixed.size()); ++k) {
-    if (index.fixed[k]) continue;
-    number_of_node[k] = static_cast<int>(free_node.size());
-    free_node.push_back(k);
-  }
-  BlockStructure structure;
-  const int columns = static_cast<int>(free_node.size());
-  structure.node_of_column.resize(columns);
-  structure.column_of_node.assign(index.fixed.size(), -1);
-  structure.begin = {0};
-  const Adjacency adjacency = MakeAdjacency(index, number_of_node, 0, 0, columns);
-  if (adjacency.row.empty()) {
-    std::iota(structure.node_of_column.begin(), structure.node_of_column.end(), 0);
-  } else {
-    if (amd_order(columns, adjacency.begin.data(), adjacency.row.data(),
-                  structure.node_of_column.data(), nullptr, nullptr) != AMD_OK) {
-      throw std::bad_alloc();  // its only other reason would be a malformed matrix
-    }
-  }
-  for (int k = 0; k < columns; ++k) {
-    const int node = free_node[structure.node_of_column[k]];
-    structure.node_of_column[k] = node;
-    structure.column_of_node[node] = k;
-  }
-  AppendBlocks(index, 0, &structure);
-  return structure;
+  const FreeNodes free(index);
+  return free.InOrder(index, MinimumDegreeOrder(free.MakeAdjacency(index)));
+}
+
+BlockStructure OrderByNestedDissection(const GraphIndex& index) {
+  const FreeNodes free(index);
+  std::vector<int> order = NestedDissectionOrder(free.MakeAdjacency(index));
+  EliminationTree tree;
+  ExtendTree(free.InOrder(index, order), &tree);
+  std::vector<int> postorder = Postorder(tree);
+  for (int& column : postorder) column = order[column];
+  return free.InOrder(index, postorder);
 }
 
 bool AppendNewNodes(const GraphIndex& index, BlockStructure* structure) {

@@ -29,9 +29,9 @@ struct BlockStructure {
   int blocks() const { return static_cast<int>(row.size()); }
 };
 
-// Orders the free nodes by approximate minimum degree (Amestoy et al. 2004) on the graph of blocks:
-// a third of the rows, a ninth of the entries of the scalar matrix, and the same fill.
+// Orders the free nodes for elimination (elimination_order.h).
 BlockStructure OrderByMinimumDegree(const backend::GraphIndex& index);
+BlockStructure OrderByNestedDissection(const backend::GraphIndex& index);
 
 // Appends to the order of `structure`, made for the first nodes and edges of the same graph, the
 // free ones of the nodes that came since, and the blocks of the edges that came since. Returns

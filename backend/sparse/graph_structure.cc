@@ -8,7 +8,11 @@ namespace gmapping_spa::spa {
 namespace {
 
 // A new ordering costs about as much as this many block products for each column of the matrix.
-constexpr std::int64_t kOrderingProductsPerColumn = 60;
+constexpr std::int64_t kOrderingProductsPerColumn = 150;
+// From this many on, nested dissection costs less than what it may save in some factorizations.
+constexpr std::int64_t kDissectionProductsPerColumn = 300;
+// From this many on, the factor does not fit into the caches of a processor.
+constexpr std::int64_t kFrontsProducts = 50'000'000;
 
 template <typename T>
 bool IsPrefix(const std::vector<T>& prefix, const std::vector<T>& whole) {
@@ -22,27 +26,49 @@ void GraphStructure::Update(backend::GraphIndex index) {
   const bool same = grown && index_.edges.size() == index.edges.size() &&
                     index_.fixed.size() == index.fixed.size();
   index_ = std::move(index);
-  changed_ = !same || symbolic_.columns() == 0;
+  changed_ = !same || tree_.columns() == 0;
   if (!changed_) return;
   if (!grown || ordered_columns_ == 0 || !Append()) Reorder();
+  Analyze();
 }
 
 bool GraphStructure::Append() {
   if (!AppendNewNodes(index_, &blocks_)) return false;
-  ExtendPattern(blocks_, &symbolic_);
-  // The excess over the last ordering, scaled to the size of today, must stay below the cost of a
-  // new one: then neither dominates.
+  ExtendTree(blocks_, &tree_);
+  // The excess over the last ordering, scaled to the size of today, summed over the factorizations
+  // since then, must stay below the cost of a new one: then neither dominates.
   const std::int64_t expected = ordered_products_ * blocks_.columns() / ordered_columns_;
-  return symbolic_.block_products - expected <
-         kOrderingProductsPerColumn * std::int64_t{blocks_.columns()};
+  excess_products_ += std::max<std::int64_t>(tree_.block_products - expected, 0);
+  return excess_products_ < kOrderingProductsPerColumn * blocks_.columns();
 }
 
 void GraphStructure::Reorder() {
   blocks_ = OrderByMinimumDegree(index_);
+  tree_ = EliminationTree();
+  ExtendTree(blocks_, &tree_);
+  if (tree_.block_products > kDissectionProductsPerColumn * blocks_.columns()) {
+    BlockStructure dissected = OrderByNestedDissection(index_);
+    EliminationTree tree;
+    ExtendTree(dissected, &tree);
+    if (tree.block_products < tree_.block_products) {
+      blocks_ = std::move(dissected);
+      tree_ = std::move(tree);
+    }
+  }
   symbolic_ = SymbolicFactor();
-  ExtendPattern(blocks_, &symbolic_);
-  ordered_products_ = symbolic_.block_products;
+  ordered_products_ = tree_.block_products;
   ordered_columns_ = blocks_.columns();
+  excess_products_ = 0;
+}
+
+void GraphStructure::Analyze() {
+  fronts_ = Fronts();
+  if (tree_.block_products < kFrontsProducts) {
+    ExtendPattern(blocks_, tree_, &symbolic_);
+  } else {
+    symbolic_ = SymbolicFactor();
+    fronts_ = FindFronts(blocks_, tree_);
+  }
 }
 
 }  // namespace gmapping_spa::spa

@@ -54,6 +54,9 @@ DEFINE_double(spa_damping, 0.0,
 DEFINE_int32(spa_max_nonmonotonic_steps, 2,
              "Number of steps in succession, from 0, that spa may take without lowering the cost "
              "before it starts to damp.");
+DEFINE_int32(spa_threads, 1,
+             "Number of threads, from 1, that spa may use to factorize a large graph (some ten "
+             "thousand poses or more). The result does not depend on it.");
 DEFINE_string(
     ceres_linear_solver, "sparse_normal_cholesky",
     "Linear solver of ceres: sparse_normal_cholesky, dense_normal_cholesky, dense_qr or cgnr.");
@@ -81,13 +84,15 @@ namespace {
 
 // The flags of the form --<backend>_<setting>, by the names of the back ends.
 const FlagGroups& SettingFlagGroups() {
-  static const auto& groups = *new FlagGroups{
-      {"spa", "Back end spa", {"spa_solver", "spa_damping", "spa_max_nonmonotonic_steps"}},
-      {"ceres",
-       "Back end ceres",
-       {"ceres_linear_solver", "ceres_sparse_library", "ceres_trust_region", "ceres_initial_radius",
-        "ceres_nonmonotonic", "ceres_jacobi_scaling", "ceres_gradient_tolerance",
-        "ceres_parameter_tolerance", "ceres_threads"}}};
+  static const auto& groups =
+      *new FlagGroups{{"spa",
+                       "Back end spa",
+                       {"spa_solver", "spa_damping", "spa_max_nonmonotonic_steps", "spa_threads"}},
+                      {"ceres",
+                       "Back end ceres",
+                       {"ceres_linear_solver", "ceres_sparse_library", "ceres_trust_region",
+                        "ceres_initial_radius", "ceres_nonmonotonic", "ceres_jacobi_scaling",
+                        "ceres_gradient_tolerance", "ceres_parameter_tolerance", "ceres_threads"}}};
   return groups;
 }
 

@@ -55,8 +55,8 @@ TEST(GraphStructure, OrdersAnewBeforeTheFactorFillsUp) {
     grown.Update(index);
   }
   fresh.Update(index);
-  EXPECT_LT(grown.symbolic().block_products,
-            2 * fresh.symbolic().block_products + 100 * index.fixed.size());
+  EXPECT_LT(grown.tree().block_products,
+            2 * fresh.tree().block_products + 100 * index.fixed.size());
 }
 
 }  // namespace
