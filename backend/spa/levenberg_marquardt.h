@@ -50,6 +50,10 @@ class LevenbergMarquardt {
   bool Minimize(const Options& options, const GraphProblem& problem, SolverMemory* memory,
                 std::vector<backend::SE2>* poses, backend::Summary* summary);
 
+  // What is kept from one call to the next.
+  std::optional<double> damping() const { return damping_; }
+  void set_damping(std::optional<double> damping) { damping_ = damping; }
+
   // To be called when the structure is another one than in the last call.
   void ForgetStructure() { solver_.ForgetStructure(); }
 

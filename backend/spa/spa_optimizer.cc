@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace gmapping_spa::spa {
@@ -44,6 +45,25 @@ std::vector<SE2> SpaOptimizer::CheaperStart(const GraphProblem& problem, double 
   start = PosesOf(problem.graph);
   problem.LinearizeAt(start, &memory_);
   return start;
+}
+
+bool SpaOptimizer::StepContinues(LevenbergMarquardt::Options options, const GraphProblem& problem,
+                                 std::vector<SE2>* poses, Summary* summary) {
+  const int max_iterations = options.max_iterations;
+  options.max_iterations = std::min(1, max_iterations);
+  options.give_up_early = true;
+  const std::optional<double> damping = minimizer_.damping();
+  std::vector<SE2> stepped = *poses;
+  Summary first = *summary;
+  if (!minimizer_.Minimize(options, problem, &memory_, &stepped, &first) ||
+      first.final_cost > kContinuationCostRatio * last_cost_) {
+    minimizer_.set_damping(damping);
+    return false;
+  }
+  *poses = std::move(stepped);
+  *summary = std::move(first);
+  if (max_iterations > 1) problem.LinearizeAt(*poses, &memory_);
+  return true;
 }
 
 void SpaOptimizer::TryAnotherStart(LevenbergMarquardt::Options options, const GraphProblem& problem,
@@ -97,9 +117,15 @@ Summary SpaOptimizer::Optimize(const Options& options, std::span<const backend::
   }
   const bool continues = summary.initial_cost <= kContinuationCostRatio * last_cost_;
   const bool choose_start = !backend::KeepsStart(options) && !continues;
-  if (choose_start) poses = CheaperStart(problem, summary.initial_cost);
+  if (choose_start &&
+      !(may_continue && StepContinues(minimizer_options, problem, &poses, &summary))) {
+    poses = CheaperStart(problem, summary.initial_cost);
+  }
   minimizer_options.give_up_early = choose_start;
-  if (!minimizer_.Minimize(minimizer_options, problem, &memory_, &poses, &summary)) {
+  const bool has_iterations_left =
+      static_cast<int>(summary.iterations.size()) < options.max_iterations;
+  if (has_iterations_left &&
+      !minimizer_.Minimize(minimizer_options, problem, &memory_, &poses, &summary)) {
     TryAnotherStart(minimizer_options, problem, &poses, &summary);
   }
   if (summary.final_cost < summary.initial_cost) {

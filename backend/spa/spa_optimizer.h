@@ -47,6 +47,12 @@ class SpaOptimizer : public backend::Optimizer {
   // normal equations are those there.
   std::vector<backend::SE2> CheaperStart(const GraphProblem& problem, double given_cost);
 
+  // Takes a step from the given poses, where the normal equations are. True when that brings the
+  // cost to about that of the call before, as it mostly does when a loop was closed, for less than
+  // another start costs; else everything is as before but the normal equations.
+  bool StepContinues(LevenbergMarquardt::Options options, const GraphProblem& problem,
+                     std::vector<backend::SE2>* poses, backend::Summary* summary);
+
   // After Minimize gave up: tries another start, then goes on from the better one's end.
   void TryAnotherStart(LevenbergMarquardt::Options options, const GraphProblem& problem,
                        std::vector<backend::SE2>* poses, backend::Summary* summary);
