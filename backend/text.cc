@@ -25,11 +25,11 @@ std::string_view WithoutByteOrderMark(std::string_view line) {
 std::string_view WithoutComment(std::string_view line) { return line.substr(0, line.find('#')); }
 
 std::string_view TakeWord(std::string_view* rest) {
-  constexpr std::string_view kBlanks = " \t\r\v\f";
-  rest->remove_prefix(std::min(rest->find_first_not_of(kBlanks), rest->size()));
-  const std::string_view word = rest->substr(0, rest->find_first_of(kBlanks));
-  rest->remove_prefix(word.size());
-  return word;
+  const auto is_blank = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n'); };
+  const auto begin = std::find_if_not(rest->begin(), rest->end(), is_blank);
+  const auto end = std::find_if(begin, rest->end(), is_blank);
+  *rest = std::string_view(end, rest->end());
+  return {begin, end};
 }
 
 std::vector<std::string_view> WordsOf(std::string_view line) {

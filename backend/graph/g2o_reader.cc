@@ -120,6 +120,8 @@ std::vector<double> G2oReader::Numbers(std::string_view words, std::size_t count
 // Information may be missing in a direction, but not negative.
 bool G2oReader::IsInformation(const Eigen::Matrix3d& information) {
   constexpr double kRounding = 1e-9;
+  const double minor = information.topLeftCorner<2, 2>().determinant();
+  if (information(0, 0) > 0.0 && minor > 0.0 && information.determinant() > 0.0) return true;
   const Eigen::Vector3d values =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(information, Eigen::EigenvaluesOnly)
           .eigenvalues();
@@ -219,7 +221,11 @@ void G2oReader::TellChainFromClosures() {
   std::vector<std::int64_t> ids;
   for (const Node& node : graph_.nodes) ids.push_back(node.id);
   std::sort(ids.begin(), ids.end());
+  const bool count_up = !ids.empty() && static_cast<std::uint64_t>(ids.back()) -
+                                                static_cast<std::uint64_t>(ids.front()) ==
+                                            ids.size() - 1;
   const auto rank = [&](std::int64_t id) {
+    if (count_up) return static_cast<std::ptrdiff_t>(id - ids.front());
     return std::lower_bound(ids.begin(), ids.end(), id) - ids.begin();
   };
   // The origin that AddPriors adds, in a file that was written.
