@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "backend/certificate/staircase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "backend/certificate/lifted_descent.h"
+#include "backend/cost/graph_cost.h"
+#include "backend/counter_random.h"
+
+namespace gmapping_spa::backend {
+namespace {
+
+// A cost that is lower by less than this part is the same.
+constexpr double kLeastDecrease = 1e-9;
+constexpr double kLargestTurn = 0.5;   // out of the plane, at the begin of a descent
+constexpr double kOtherColumns = 0.1;  // of it, in the columns beyond the second
+
+Options MinimizerOptions() {
+  Options options;
+  options.initialization = Initialization::kKeep;
+  options.cost_tolerance = 1e-12;
+  options.max_iterations = 300;
+  return options;
+}
+
+// Moves poses along the direction, in the second column, and a little in those beyond it, which
+// would stay zero for ever.
+void Leave(const spa::GraphStructure& structure, const LiftedVector& direction,
+           LiftedPoses* lifted) {
+  double largest = 0.0;
+  for (const LiftedMatrix::Segment& segment : direction) {
+    largest = std::max(largest, segment.tail<2>().norm());
+  }
+  const double scale = kLargestTurn / largest;
+  CounterRandom random(/*seed=*/2, /*stream=*/0);
+  const std::vector<int>& nodes = structure.blocks().node_of_column;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const LiftedMatrix::Segment& x = direction[k];
+    const Eigen::Index row = 2 * static_cast<Eigen::Index>(nodes[k]);
+    (*lifted)(row, 1) = scale * Complex(x[0], x[1]);
+    (*lifted)(row + 1, 1) = scale * Complex(x[2], x[3]);
+    for (Eigen::Index c = 2; c < lifted->cols(); ++c) {
+      const double factor = kOtherColumns * random.Gaussian();
+      (*lifted)(row, c) = factor * (*lifted)(row, 1);
+      (*lifted)(row + 1, c) = factor * (*lifted)(row + 1, 1);
+    }
+    lifted->row(row + 1).normalize();
+  }
+}
+
+class Staircase {
+ public:
+  Staircase(Optimizer* optimizer, const PoseGraph& graph)
+      : optimizer_(optimizer),
+        graph_(graph),
+        certifier_(graph_),
+        cost_(graph_, certifier_.structure(), certifier_.splits()),
+        poses_(PosesOf(graph)) {
+    result_.certificate = certifier_.Certify(poses_);
+    result_.initial_cost = result_.certificate.cost;
+    result_.first_gap = result_.certificate.relative_gap;
+  }
+
+  StaircaseResult* result() { return &result_; }
+  const std::vector<SE2>& poses() const { return poses_; }
+  bool optimal() const { return result_.certificate.optimal(); }
+
+  // The optimizer goes on from the best poses.
+  void GoOn() { TryFrom(poses_, 0); }
+
+  // Descends in that many dimensions. False when there is no direction to leave along.
+  bool Descend(int rank) {
+    const std::optional<LiftedVector> direction =
+        certifier_.NegativeCurvature(&result_.certificate);
+    if (!direction) return false;
+    LiftedPoses lifted = LiftPoses(poses_, rank / 2);
+    Leave(certifier_.structure(), *direction, &lifted);
+    LiftedDescent(certifier_.structure(), cost_).Minimize({}, &lifted);
+    std::vector<SE2> rounded = poses_;
+    if (!RoundPoses(graph_, certifier_.structure(), lifted, &rounded)) return false;
+    TryFrom(rounded, rank);
+    return true;
+  }
+
+ private:
+  // The optimizer's poses from a start, accepted and certified when they cost less.
+  void TryFrom(const std::vector<SE2>& start, int rank) {
+    PoseGraph trial = graph_;
+    for (std::size_t k = 0; k < start.size(); ++k) trial.nodes[k].world_T_node = start[k];
+    optimizer_->Optimize(MinimizerOptions(), trial.edges, trial.nodes);
+    std::vector<SE2> poses = PosesOf(trial);
+    Descent descent{.rank = rank, .cost = GraphCost(graph_, certifier_.structure().index(), poses)};
+    descent.accepted = descent.cost < result_.certificate.cost;
+    const bool lower =
+        descent.cost < (1.0 - kLeastDecrease) * result_.certificate.cost || rank == 0;
+    result_.descents.push_back(descent);
+    if (!descent.accepted || !lower) return;
+    poses_ = std::move(poses);
+    result_.certificate = certifier_.Certify(poses_);
+  }
+
+  Optimizer* optimizer_;
+  const PoseGraph graph_;
+  Certifier certifier_;
+  ChordalCost cost_;
+  std::vector<SE2> poses_;
+  StaircaseResult result_;
+};
+
+}  // namespace
+
+StaircaseResult ClimbStaircase(const StaircaseOptions& options, Optimizer* optimizer,
+                               PoseGraph* graph) {
+  Staircase staircase(optimizer, *graph);
+  if (!staircase.optimal()) staircase.GoOn();
+  for (int rank = 4; !staircase.optimal() && rank <= options.last_rank; rank += 2) {
+    if (!staircase.Descend(rank)) break;
+  }
+  for (std::size_t k = 0; k < graph->nodes.size(); ++k) {
+    graph->nodes[k].world_T_node = staircase.poses()[k];
+  }
+  return *staircase.result();
+}
+
+}  // namespace gmapping_spa::backend
