@@ -69,8 +69,7 @@ bool Certifier::TryShift(double shift, Certificate* certificate) {
   for (std::size_t k = 0; k < rest.size(); ++k) rest[k].tail<2>() += shift * x[k].tail<2>();
   const double decrease = Dot(dual_.gradient, x) - 0.5 * Dot(x, rest);
   for (std::size_t k = 0; k < rest.size(); ++k) rest[k] = dual_.gradient[k] - rest[k];
-  const double error =
-      0.5 * NormInInverseDiagonal(dual_.matrix, rest) / certificate->margin;
+  const double error = 0.5 * NormInInverseDiagonal(dual_.matrix, rest) / certificate->margin;
   const double shifted = 2.0 * shift * structure_.blocks().columns();
   const double gap = dual_.slack + std::max(0.0, decrease) + error + shifted;
   certificate->positive_definite = shift == 0.0;
@@ -101,8 +100,8 @@ Certificate Certifier::Certify(const std::vector<SE2>& poses) {
 }
 
 std::optional<LiftedVector> Certifier::NegativeCurvature(Certificate* certificate) {
-  const std::optional<SmallestEigenvector> found = FindSmallestEigenvector(
-      structure_, dual_.matrix, certificate->margin, &solver_);
+  const std::optional<SmallestEigenvector> found =
+      FindSmallestEigenvector(structure_, dual_.matrix, certificate->margin, &solver_);
   if (!found) return std::nullopt;
   certificate->smallest_eigenvalue = found->eigenvalue;
   if (certificate->relative_gap == 1.0) TryShift(found->shift, certificate);

@@ -20,9 +20,9 @@ using Complex = std::complex<double>;
 //   - Of P, and of the translation, the tangent: e' P e is convex.
 //   - Of the angle d, which that leaves as w d^2 + 2 p d, the function a + b cos d + c sin d that
 //     touches it at the tangent and has the largest curvature there of all that stay below it for d
-//     in [-pi, pi]. With T = w d0 + p, from 0 (else mirrored), and s = d0 - d, that curvature is the
-//     smallest value of (w s^2 - 2 T (s - sin s)) / (1 - cos s), which falls up to s = 2 T / w and
-//     rises from there.
+//     in [-pi, pi]. With T = w d0 + p, from 0 (else mirrored), and s = d0 - d, that curvature is
+//     the smallest value of (w s^2 - 2 T (s - sin s)) / (1 - cos s), which falls up to s = 2 T / w
+//     and rises from there.
 struct EdgeBound {
   double tau = 0.0;
   Complex b;

@@ -26,8 +26,7 @@ InformationSplit SplitInformation(const Eigen::Matrix3d& information) {
       Eigen::Vector3d(translation, translation, rotation).cwiseSqrt().cwiseInverse();
   const Eigen::Matrix3d scaled = scale.asDiagonal() * information * scale.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scaled, Eigen::EigenvaluesOnly);
-  const double part =
-      std::max(0.0, solver.eigenvalues()(0) - kRounding * solver.eigenvalues()(2));
+  const double part = std::max(0.0, solver.eigenvalues()(0) - kRounding * solver.eigenvalues()(2));
   return {part * translation, part * rotation};
 }
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kLargestRaises = 40;
 constexpr double kRaise = 30.0;
-constexpr int kRounds = 10;       // of lowering the shift
-constexpr int kIterations = 6;    // of a round
+constexpr int kRounds = 10;          // of lowering the shift
+constexpr int kIterations = 6;       // of a round
 constexpr double kNearEnough = 1.5;  // times the eigenvalue that a shift may be
 
 // Scales to v' D v = 1, and makes D v of v.

@@ -13,8 +13,9 @@
 namespace gmapping_spa::backend {
 namespace {
 
-// A cost that is lower by less than this part is the same.
+// After a descent, a cost that is lower by less than this part is the same.
 constexpr double kLeastDecrease = 1e-9;
+constexpr int kMaxDescents = 5;
 constexpr double kLargestTurn = 0.5;   // out of the plane, at the begin of a descent
 constexpr double kOtherColumns = 0.1;  // of it, in the columns beyond the second
 
@@ -68,6 +69,11 @@ class Staircase {
   const std::vector<SE2>& poses() const { return poses_; }
   bool optimal() const { return result_.certificate.optimal(); }
 
+  // A certificate that proves nothing tells at least by how much.
+  void CompleteCertificate() {
+    if (!optimal()) certifier_.NegativeCurvature(&result_.certificate);
+  }
+
   // The optimizer goes on from the best poses.
   void GoOn() { TryFrom(poses_, 0); }
 
@@ -93,11 +99,10 @@ class Staircase {
     optimizer_->Optimize(MinimizerOptions(), trial.edges, trial.nodes);
     std::vector<SE2> poses = PosesOf(trial);
     Descent descent{.rank = rank, .cost = GraphCost(graph_, certifier_.structure().index(), poses)};
-    descent.accepted = descent.cost < result_.certificate.cost;
-    const bool lower =
-        descent.cost < (1.0 - kLeastDecrease) * result_.certificate.cost || rank == 0;
+    const double largest = rank == 0 ? 1.0 : 1.0 - kLeastDecrease;
+    descent.accepted = descent.cost < largest * result_.certificate.cost;
     result_.descents.push_back(descent);
-    if (!descent.accepted || !lower) return;
+    if (!descent.accepted) return;
     poses_ = std::move(poses);
     result_.certificate = certifier_.Certify(poses_);
   }
@@ -115,10 +120,13 @@ class Staircase {
 StaircaseResult ClimbStaircase(const StaircaseOptions& options, Optimizer* optimizer,
                                PoseGraph* graph) {
   Staircase staircase(optimizer, *graph);
-  if (!staircase.optimal()) staircase.GoOn();
-  for (int rank = 4; !staircase.optimal() && rank <= options.last_rank; rank += 2) {
-    if (!staircase.Descend(rank)) break;
+  if (options.descend && !staircase.optimal()) staircase.GoOn();
+  int rank = 4;
+  for (int round = 0; options.descend && round < kMaxDescents && !staircase.optimal(); ++round) {
+    if (rank > options.last_rank || !staircase.Descend(rank)) break;
+    if (!staircase.result()->descents.back().accepted) rank += 2;
   }
+  staircase.CompleteCertificate();
   for (std::size_t k = 0; k < graph->nodes.size(); ++k) {
     graph->nodes[k].world_T_node = staircase.poses()[k];
   }

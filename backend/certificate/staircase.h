@@ -12,8 +12,8 @@ namespace gmapping_spa::backend {
 
 // What was done to poses that were not proved to be optimal.
 struct Descent {
-  int rank = 0;  // dimensions of the lifted rotations; 0: the optimizer went on from the poses
-  double cost = 0.0;      // of the poses that it led to
+  int rank = 0;       // dimensions of the lifted rotations; 0: the optimizer went on from the poses
+  double cost = 0.0;  // of the poses that it led to
   bool accepted = false;  // they cost less than those before
 };
 
@@ -25,7 +25,8 @@ struct StaircaseResult {
 };
 
 struct StaircaseOptions {
-  int last_rank = 8;  // of the lifted rotations; 2: no escape from local minima
+  bool descend = true;  // else the poses are certified as they are
+  int last_rank = 8;    // of the lifted rotations
 };
 
 // Certifies the poses of `graph` as the optimum of least squares. Where that fails, the optimizer
@@ -33,8 +34,8 @@ struct StaircaseOptions {
 // not positive definite, the rotations get two dimensions more, the poses are moved along the
 // direction of negative curvature into these, and go on to a minimum of the chordal cost there,
 // where few local minima are left (the Riemannian staircase of Boumal 2015, as in SE-Sync); rounded
-// to poses, they are where the optimizer starts again. What costs less is kept, and certified; else
-// there are two dimensions more, up to the last rank.
+// to poses, they are where the optimizer starts again. What costs less is kept and certified, and
+// left again where that fails; else there are two dimensions more, up to the last rank.
 StaircaseResult ClimbStaircase(const StaircaseOptions& options, Optimizer* optimizer,
                                PoseGraph* graph);
 
