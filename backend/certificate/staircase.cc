@@ -52,6 +52,15 @@ void Leave(const spa::GraphStructure& structure, const LiftedVector& direction,
   }
 }
 
+LiftedVector AnyDirection(const spa::GraphStructure& structure) {
+  CounterRandom random(/*seed=*/3, /*stream=*/0);
+  LiftedVector direction(structure.blocks().columns());
+  for (LiftedMatrix::Segment& segment : direction) {
+    segment << 0.0, 0.0, random.Gaussian(), random.Gaussian();
+  }
+  return direction;
+}
+
 class Staircase {
  public:
   Staircase(Optimizer* optimizer, const PoseGraph& graph)
@@ -77,13 +86,15 @@ class Staircase {
   // The optimizer goes on from the best poses.
   void GoOn() { TryFrom(poses_, 0); }
 
-  // Descends in that many dimensions. False when there is no direction to leave along.
+  // Descends in that many dimensions. False when that leads nowhere.
   bool Descend(int rank) {
+    if (result_.certificate.positive_definite) return false;
     const std::optional<LiftedVector> direction =
         certifier_.NegativeCurvature(&result_.certificate);
-    if (!direction) return false;
     LiftedPoses lifted = LiftPoses(poses_, rank / 2);
-    Leave(certifier_.structure(), *direction, &lifted);
+    // Where an angle is off by pi, the matrix is not finite, and any direction has to do.
+    Leave(certifier_.structure(), direction ? *direction : AnyDirection(certifier_.structure()),
+          &lifted);
     LiftedDescent(certifier_.structure(), cost_).Minimize({}, &lifted);
     std::vector<SE2> rounded = poses_;
     if (!RoundPoses(graph_, certifier_.structure(), lifted, &rounded)) return false;
