@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include "backend/certificate/lifted_bound.h"
 #include "backend/certificate/lifted_descent.h"
 #include "backend/cost/graph_cost.h"
 #include "backend/counter_random.h"
@@ -16,6 +18,7 @@ namespace {
 // After a descent, a cost that is lower by less than this part is the same.
 constexpr double kLeastDecrease = 1e-9;
 constexpr int kMaxDescents = 5;
+constexpr LiftedDescent::Options kLowest{.max_products = 1000, .cost_tolerance = 1e-7};
 constexpr double kLargestTurn = 0.5;   // out of the plane, at the begin of a descent
 constexpr double kOtherColumns = 0.1;  // of it, in the columns beyond the second
 
@@ -78,9 +81,19 @@ class Staircase {
   const std::vector<SE2>& poses() const { return poses_; }
   bool optimal() const { return result_.certificate.optimal(); }
 
-  // A certificate that proves nothing tells at least by how much.
+  // What can be proved where the poses could not be proved to be optimal.
   void CompleteCertificate() {
-    if (!optimal()) certifier_.NegativeCurvature(&result_.certificate);
+    Certificate& certificate = result_.certificate;
+    if (optimal()) return;
+    certifier_.NegativeCurvature(&certificate);
+    if (lowest_.size() == 0) return;
+    LiftedDescent(certifier_.structure(), cost_).Minimize(kLowest, &lowest_);
+    LiftedSolver solver;
+    const double bound =
+        LiftedBound(certifier_.structure(), cost_, lowest_, certificate.margin, &solver);
+    if (bound <= certificate.lower_bound) return;
+    certificate.lower_bound = std::min(bound, certificate.cost);
+    certificate.relative_gap = 1.0 - certificate.lower_bound / certificate.cost;
   }
 
   // The optimizer goes on from the best poses.
@@ -95,10 +108,14 @@ class Staircase {
     // Where an angle is off by pi, the matrix is not finite, and any direction has to do.
     Leave(certifier_.structure(), direction ? *direction : AnyDirection(certifier_.structure()),
           &lifted);
-    LiftedDescent(certifier_.structure(), cost_).Minimize({}, &lifted);
+    const double cost = LiftedDescent(certifier_.structure(), cost_).Minimize({}, &lifted);
     std::vector<SE2> rounded = poses_;
     if (!RoundPoses(graph_, certifier_.structure(), lifted, &rounded)) return false;
     TryFrom(rounded, rank);
+    if (cost < lowest_cost_) {
+      lowest_cost_ = cost;
+      lowest_ = std::move(lifted);
+    }
     return true;
   }
 
@@ -124,6 +141,8 @@ class Staircase {
   ChordalCost cost_;
   std::vector<SE2> poses_;
   StaircaseResult result_;
+  LiftedPoses lowest_;  // lifted poses of the lowest chordal cost so far
+  double lowest_cost_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace

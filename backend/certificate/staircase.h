@@ -35,7 +35,8 @@ struct StaircaseOptions {
 // direction of negative curvature into these, and go on to a minimum of the chordal cost there,
 // where few local minima are left (the Riemannian staircase of Boumal 2015, as in SE-Sync); rounded
 // to poses, they are where the optimizer starts again. What costs less is kept and certified, and
-// left again where that fails; else there are two dimensions more, up to the last rank.
+// left again where that fails; else there are two dimensions more, up to the last rank. Where all
+// of that proves nothing, the lowest chordal cost of lifted poses still bounds the cost from below.
 StaircaseResult ClimbStaircase(const StaircaseOptions& options, Optimizer* optimizer,
                                PoseGraph* graph);
 

@@ -69,10 +69,12 @@ std::string MessageOf(const StaircaseResult& result) {
   } else {
     message = "undecided: other poses may cost less, and no lower bound was found";
   }
-  if (certificate.cost < (1.0 - kOptimalGap) * result.initial_cost) {
-    message += "; the back end's poses were not optimal, they cost " +
-               Number(result.initial_cost / certificate.cost, "%.4g") +
-               " times as much and are replaced";
+  if (certificate.cost < result.initial_cost) {
+    const double factor = result.initial_cost / certificate.cost;
+    message += "; the back end's poses cost " +
+               (factor < 2.0 ? Number(100.0 * (factor - 1.0)) + " % more"
+                             : Number(factor, "%.4g") + " times as much") +
+               " and are replaced";
   }
   return message;
 }
