@@ -58,9 +58,12 @@ std::string MessageOf(const StaircaseResult& result) {
   const Certificate& certificate = result.certificate;
   const std::string gap = Number(certificate.relative_gap);
   std::string message;
-  if (certificate.optimal()) {
+  if (certificate.relative_gap <= kOptimalGap) {
     message = "the poses are the global optimum: no others cost less by more than " + gap +
               " of the cost";
+  } else if (certificate.optimal()) {
+    message = "the poses are the global optimum: no others cost less by more than " +
+              Number(certificate.cost - certificate.lower_bound);
   } else if (certificate.positive_definite) {
     message = "the poses are near the global optimum, not at it: others may cost less by " + gap +
               " of the cost";

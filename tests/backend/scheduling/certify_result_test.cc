@@ -53,6 +53,7 @@ TEST(CertifyResult, ReplacesALocalMinimumAndSaysSo) {
   EXPECT_EQ(certified.summary.final_cost, GraphCost(certified.graph));
   EXPECT_LT(certified.summary.final_cost, 1e-9);
   EXPECT_THAT(certified.result.message, HasSubstr("times as much and are replaced"));
+  EXPECT_THAT(certified.result.message, HasSubstr("the poses are the global optimum"));
 }
 
 TEST(CertifyResult, IsUndecidedAtALocalMinimumThatIsToBeKept) {
