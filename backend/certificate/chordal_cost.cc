@@ -4,9 +4,9 @@
 namespace gmapping_spa::backend {
 
 LiftedPoses LiftPoses(const std::vector<SE2>& poses, int columns) {
-  LiftedPoses lifted = LiftedPoses::Zero(2 * static_cast<Eigen::Index>(poses.size()), columns);
+  LiftedPoses lifted = LiftedPoses::Zero(RowOf(poses.size()), columns);
   for (std::size_t k = 0; k < poses.size(); ++k) {
-    const auto row = 2 * static_cast<Eigen::Index>(k);
+    const Eigen::Index row = RowOf(k);
     lifted(row, 0) = Complex(poses[k].x, poses[k].y);
     lifted(row + 1, 0) = std::polar(1.0, poses[k].theta);
   }
@@ -31,20 +31,21 @@ LiftedPoses ChordalCost::Gradient(const LiftedPoses& poses, bool free_only) cons
     const auto& [tau, w, measured, rotation] = weights_[k];
     const auto [i, j] = structure_.index().edges[k];
     if (i == j) continue;  // no pose changes it
+    const Eigen::Index row_i = RowOf(i), row_j = RowOf(j);
     for (Eigen::Index c = 0; c < columns; ++c) {
-      const Complex turned = poses(2 * i + 1, c);
-      const Complex translation = tau * (poses(2 * j, c) - poses(2 * i, c) - measured * turned);
-      const Complex turn = w * (poses(2 * j + 1, c) - rotation * turned);
-      gradient(2 * j, c) += translation;
-      gradient(2 * i, c) -= translation;
-      gradient(2 * j + 1, c) += turn;
-      gradient(2 * i + 1, c) -= std::conj(measured) * translation + std::conj(rotation) * turn;
+      const Complex turned = poses(row_i + 1, c);
+      const Complex translation = tau * (poses(row_j, c) - poses(row_i, c) - measured * turned);
+      const Complex turn = w * (poses(row_j + 1, c) - rotation * turned);
+      gradient(row_j, c) += translation;
+      gradient(row_i, c) -= translation;
+      gradient(row_j + 1, c) += turn;
+      gradient(row_i + 1, c) -= std::conj(measured) * translation + std::conj(rotation) * turn;
     }
   }
   if (free_only) {
     for (std::size_t k = 0; k < structure_.index().fixed.size(); ++k) {
       if (structure_.index().fixed[k]) {
-        gradient.middleRows(2 * static_cast<Eigen::Index>(k), 2).setZero();
+        gradient.middleRows(RowOf(k), 2).setZero();
       }
     }
   }

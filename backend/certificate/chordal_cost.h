@@ -15,6 +15,9 @@ namespace gmapping_spa::backend {
 // k. Rotations have length 1. With a single column they are poses.
 using LiftedPoses = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+// The row of a node's position; that of its rotation is the next one.
+inline Eigen::Index RowOf(std::size_t node) { return 2 * static_cast<Eigen::Index>(node); }
+
 // Poses with `columns` columns, zero but for the first.
 LiftedPoses LiftPoses(const std::vector<SE2>& poses, int columns);
 

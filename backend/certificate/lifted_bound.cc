@@ -15,7 +15,7 @@ double LiftedBound(const spa::GraphStructure& structure, const ChordalCost& cost
   const double value = 0.5 * poses.conjugate().cwiseProduct(gradient).sum().real();
   LiftedMatrix matrix = cost.Matrix();
   for (std::size_t k = 0; k < nodes.size(); ++k) {
-    const Eigen::Index row = 2 * static_cast<Eigen::Index>(nodes[k]) + 1;
+    const Eigen::Index row = RowOf(nodes[k]) + 1;
     const double multiplier = gradient.row(row).dot(poses.row(row)).real();
     matrix.diagonal(static_cast<int>(k)).diagonal().tail<2>().array() -= multiplier;
     gradient.row(row) -= multiplier * poses.row(row);
@@ -27,7 +27,7 @@ double LiftedBound(const spa::GraphStructure& structure, const ChordalCost& cost
   for (Eigen::Index c = 0; c < poses.cols(); ++c) {
     LiftedVector right(nodes.size());
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const Complex t = gradient(2 * nodes[k], c), z = gradient(2 * nodes[k] + 1, c);
+      const Complex t = gradient(RowOf(nodes[k]), c), z = gradient(RowOf(nodes[k]) + 1, c);
       right[k] << t.real(), t.imag(), z.real(), z.imag();
     }
     LiftedVector x = right;

@@ -43,13 +43,13 @@ LiftedPoses LiftedDescent::Precondition(const LiftedPoses& poses,
   LiftedVector x(nodes.size());
   for (Eigen::Index c = 0; c < gradient.cols(); ++c) {
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const Complex t = gradient(2 * nodes[k], c), z = gradient(2 * nodes[k] + 1, c);
+      const Complex t = gradient(RowOf(nodes[k]), c), z = gradient(RowOf(nodes[k]) + 1, c);
       x[k] << t.real(), t.imag(), z.real(), z.imag();
     }
     solver_.Solve(structure_, &x);
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      result(2 * nodes[k], c) = Complex(x[k][0], x[k][1]);
-      result(2 * nodes[k] + 1, c) = Complex(x[k][2], x[k][3]);
+      result(RowOf(nodes[k]), c) = Complex(x[k][0], x[k][1]);
+      result(RowOf(nodes[k]) + 1, c) = Complex(x[k][2], x[k][3]);
     }
   }
   Project(poses, &result);
@@ -115,7 +115,7 @@ double LiftedDescent::Minimize(const Options& options, LiftedPoses* poses) {
   while (products < options.max_products && cost > 0.0) {
     for (std::size_t k = 0; k < structure_.index().fixed.size(); ++k) {
       if (structure_.index().fixed[k]) {
-        gradient.middleRows(2 * static_cast<Eigen::Index>(k), 2).setZero();
+        gradient.middleRows(RowOf(k), 2).setZero();
       }
     }
     const Step step = FindStep(*poses, gradient, radius, &products);
@@ -154,7 +154,7 @@ bool RoundPoses(const PoseGraphView& graph, const spa::GraphStructure& structure
   // Held nodes are as before in the first column.
   if (std::abs(shared[0]) > 0.0) shared *= std::conj(shared[0]) / std::abs(shared[0]);
   for (const int node : structure.blocks().node_of_column) {
-    (*poses)[node].theta = std::arg((lifted.row(2 * node + 1) * shared).value());
+    (*poses)[node].theta = std::arg((lifted.row(RowOf(node) + 1) * shared).value());
   }
   spa::SolverMemory memory;
   return InitializeFromRotations(graph, structure, &memory, poses);

@@ -43,7 +43,7 @@ void Leave(const spa::GraphStructure& structure, const LiftedVector& direction,
   const std::vector<int>& nodes = structure.blocks().node_of_column;
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     const LiftedMatrix::Segment& x = direction[k];
-    const Eigen::Index row = 2 * static_cast<Eigen::Index>(nodes[k]);
+    const Eigen::Index row = RowOf(nodes[k]);
     (*lifted)(row, 1) = scale * Complex(x[0], x[1]);
     (*lifted)(row + 1, 1) = scale * Complex(x[2], x[3]);
     for (Eigen::Index c = 2; c < lifted->cols(); ++c) {
