@@ -49,24 +49,6 @@ bool SolveRotations(const PoseGraphView& graph, const GraphStructure& graph_stru
   return true;
 }
 
-// Minimises the cost with the errors linearised about the angles of `poses`.
-bool SolvePoses(const PoseGraphView& graph, const GraphStructure& structure, SolverMemory* memory,
-                std::vector<SE2>* poses) {
-  const std::vector<int>& free_nodes = structure.blocks().node_of_column;
-  for (const int node : free_nodes) (*poses)[node].x = (*poses)[node].y = 0.0;
-  NormalEquations& equations = memory->equations;
-  LinearizeForTranslations(graph, structure.index(), structure.blocks(), *poses, &equations);
-  PoseMatrix::Vector& x = equations.minus_gradient;
-  if (!memory->cholesky.Solve(structure, equations.hessian, &x)) {
-    return false;
-  }
-  for (std::size_t k = 0; k < free_nodes.size(); ++k) {
-    SE2& pose = (*poses)[free_nodes[k]];
-    pose = {x[k].x(), x[k].y(), backend::WrapAngle(pose.theta + x[k].z())};
-  }
-  return true;
-}
-
 // Minimises sum w_r |r_j - R(theta_ij) r_i|^2 + w_t |t_j - t_i - [r_i] t_ij|^2 over the vectors r
 // and the translations t of the free nodes, where [r] is the matrix with the columns r and r turned
 // by 90 degrees: linear in both.
@@ -112,16 +94,33 @@ bool SolveRotationsAndTranslations(const PoseGraphView& graph,
 
 }  // namespace
 
+bool InitializeFromRotations(const PoseGraphView& graph, const GraphStructure& structure,
+                             SolverMemory* memory, std::vector<SE2>* poses) {
+  const std::vector<int>& free_nodes = structure.blocks().node_of_column;
+  for (const int node : free_nodes) (*poses)[node].x = (*poses)[node].y = 0.0;
+  NormalEquations& equations = memory->equations;
+  LinearizeForTranslations(graph, structure.index(), structure.blocks(), *poses, &equations);
+  PoseMatrix::Vector& x = equations.minus_gradient;
+  if (!memory->cholesky.Solve(structure, equations.hessian, &x)) {
+    return false;
+  }
+  for (std::size_t k = 0; k < free_nodes.size(); ++k) {
+    SE2& pose = (*poses)[free_nodes[k]];
+    pose = {x[k].x(), x[k].y(), backend::WrapAngle(pose.theta + x[k].z())};
+  }
+  return true;
+}
+
 bool InitializeChordal(const PoseGraphView& graph, const GraphStructure& structure,
                        SolverMemory* memory, std::vector<SE2>* poses) {
   return SolveRotations(graph, structure, memory, poses) &&
-         SolvePoses(graph, structure, memory, poses);
+         InitializeFromRotations(graph, structure, memory, poses);
 }
 
 bool InitializeChordalJointly(const PoseGraphView& graph, const GraphStructure& structure,
                               SolverMemory* memory, std::vector<SE2>* poses) {
   return SolveRotationsAndTranslations(graph, structure, memory, poses) &&
-         SolvePoses(graph, structure, memory, poses);
+         InitializeFromRotations(graph, structure, memory, poses);
 }
 
 }  // namespace gmapping_spa::spa

@@ -27,6 +27,11 @@ struct SolverMemory {
 bool InitializeChordal(const backend::PoseGraphView& graph, const GraphStructure& structure,
                        SolverMemory* memory, std::vector<backend::SE2>* poses);
 
+// The second of the two problems alone: minimises the cost with the errors linearised about the
+// angles of `poses`. Else like it.
+bool InitializeFromRotations(const backend::PoseGraphView& graph, const GraphStructure& structure,
+                             SolverMemory* memory, std::vector<backend::SE2>* poses);
+
 // The chordal relaxation of rotations and translations in one linear problem: where angles are
 // noisier than translations, the shape of the path tells more of the rotations than their own
 // measurements. Coarser than InitializeChordal elsewhere. Else like it.

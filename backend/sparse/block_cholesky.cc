@@ -210,11 +210,35 @@ bool BlockCholesky::Solve(const BlockStructure& structure, const SymbolicFactor&
   return SolveRows<kSize>(structure, symbolic, arrays);
 }
 
+template <int kSize>
+void BlockCholesky::SolveAgain(const SymbolicFactor& symbolic,
+                               typename BlockMatrix<kSize>::Vector* x) const {
+  using Block = Eigen::Map<const typename BlockMatrix<kSize>::Block>;
+  constexpr std::size_t kNumbers = std::size_t{kSize} * kSize;
+  const auto inverse = [&](int k) { return Block(inverse_diagonal_.data() + kNumbers * k); };
+  const auto transposed = [&](int q) { return Block(transposed_.data() + kNumbers * q); };
+  for (int k = 0; k < symbolic.columns(); ++k) {
+    (*x)[k] = inverse(k) * (*x)[k];
+    for (int q = symbolic.column_begin[k]; q < symbolic.column_begin[k + 1]; ++q) {
+      (*x)[row_[q]] -= transposed(q).transpose() * (*x)[k];
+    }
+  }
+  for (int k = symbolic.columns() - 1; k >= 0; --k) {
+    typename BlockMatrix<kSize>::Segment y = (*x)[k];
+    for (int q = symbolic.column_begin[k]; q < symbolic.column_begin[k + 1]; ++q) {
+      y -= transposed(q) * (*x)[row_[q]];
+    }
+    (*x)[k] = inverse(k).transpose() * y;
+  }
+}
+
 template bool BlockCholesky::Solve(const BlockStructure&, const SymbolicFactor&,
                                    const BlockMatrix<2>&, BlockMatrix<2>::Vector*);
 template bool BlockCholesky::Solve(const BlockStructure&, const SymbolicFactor&,
                                    const BlockMatrix<3>&, BlockMatrix<3>::Vector*);
 template bool BlockCholesky::Solve(const BlockStructure&, const SymbolicFactor&,
                                    const BlockMatrix<4>&, BlockMatrix<4>::Vector*);
+template void BlockCholesky::SolveAgain<3>(const SymbolicFactor&, BlockMatrix<3>::Vector*) const;
+template void BlockCholesky::SolveAgain<4>(const SymbolicFactor&, BlockMatrix<4>::Vector*) const;
 
 }  // namespace gmapping_spa::spa

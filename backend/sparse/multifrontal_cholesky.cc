@@ -204,6 +204,13 @@ bool MultifrontalCholesky::Solve(const BlockStructure& structure, const Fronts& 
   if (size > factor_.capacity()) std::vector<double>().swap(factor_);  // before there is more
   factor_.resize(size);
   if (!Factorization<kSize>(structure, fronts, matrix, factor_.data()).Run(threads)) return false;
+  SolveAgain<kSize>(fronts, x);
+  return true;
+}
+
+template <int kSize>
+void MultifrontalCholesky::SolveAgain(const Fronts& fronts,
+                                      typename BlockMatrix<kSize>::Vector* x) const {
   const DenseFront& dense = DenseFrontForThisProcessor();
   auto* const numbers = reinterpret_cast<double*>(x->data());
   std::vector<double> local;
@@ -214,7 +221,6 @@ bool MultifrontalCholesky::Solve(const BlockStructure& structure, const Fronts& 
     WithRowsOf<kSize>(fronts.fronts[f], fronts, factor_.data(), numbers, &local,
                       dense.substitute_back);
   }
-  return true;
 }
 
 template bool MultifrontalCholesky::Solve(const BlockStructure&, const Fronts&,
@@ -223,5 +229,7 @@ template bool MultifrontalCholesky::Solve(const BlockStructure&, const Fronts&,
                                           const BlockMatrix<3>&, int, BlockMatrix<3>::Vector*);
 template bool MultifrontalCholesky::Solve(const BlockStructure&, const Fronts&,
                                           const BlockMatrix<4>&, int, BlockMatrix<4>::Vector*);
+template void MultifrontalCholesky::SolveAgain<3>(const Fronts&, BlockMatrix<3>::Vector*) const;
+template void MultifrontalCholesky::SolveAgain<4>(const Fronts&, BlockMatrix<4>::Vector*) const;
 
 }  // namespace gmapping_spa::spa

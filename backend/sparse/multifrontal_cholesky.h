@@ -21,6 +21,11 @@ class MultifrontalCholesky {
   bool Solve(const BlockStructure& structure, const Fronts& fronts,
              const BlockMatrix<kSize>& matrix, int threads, typename BlockMatrix<kSize>::Vector* x);
 
+  // Replaces another right-hand side `x` by the solution, with the factor of the last Solve, which
+  // has returned true and was of this size.
+  template <int kSize>
+  void SolveAgain(const Fronts& fronts, typename BlockMatrix<kSize>::Vector* x) const;
+
  private:
   std::vector<double> factor_;  // the columns of L, front by front
 };

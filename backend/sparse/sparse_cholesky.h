@@ -25,6 +25,17 @@ class SparseCholesky {
     return fronts_.Solve(structure.blocks(), structure.fronts(), matrix, threads_, x);
   }
 
+  // Replaces another right-hand side `x` by the solution, with the factor of the last Solve, which
+  // has returned true and was of this size and structure.
+  template <int kSize>
+  void SolveAgain(const GraphStructure& structure, typename BlockMatrix<kSize>::Vector* x) const {
+    if (structure.fronts().empty()) {
+      rows_.SolveAgain<kSize>(structure.symbolic(), x);
+    } else {
+      fronts_.SolveAgain<kSize>(structure.fronts(), x);
+    }
+  }
+
  private:
   BlockCholesky rows_;
   MultifrontalCholesky fronts_;

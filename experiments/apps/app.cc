@@ -114,6 +114,10 @@ int RunApp(int argc, char** argv, const char* usage, const FlagGroups& flag_grou
   } catch (const Interrupted& interrupted) {
     std::cerr << program << ": " << interrupted.what() << '\n';
     status = 128 + ReceivedSignal();
+  } catch (const NegativeAnswer& answer) {
+    std::cout.flush();
+    std::cerr << program << ": " << answer.what() << '\n';
+    status = 2;
   } catch (const std::bad_alloc&) {
     std::cerr << program << ": error: out of memory\n";
     status = 1;

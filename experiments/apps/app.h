@@ -17,13 +17,19 @@ struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Thrown when every output is complete, and the answer to what the user asked is no; the message
+// is that answer.
+struct NegativeAnswer : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 // Parses the gflags of the command line (with `usage` and `flag_groups` for --help), starts glog
 // (warnings to stderr, unless flags say otherwise), says on stderr which flags of a --flagfile the
 // command line overrides, installs handlers for SIGINT and SIGTERM and calls `run`. Returns the
 // exit status of the process: 0 when `run` returned and what it printed has been written, and after
 // --help; 1 with one line on stderr when it threw, when words are left over on the command line and
-// when a flag or a line of a --flagfile is not known; 128 + n when it threw Interrupted after
-// signal n.
+// when a flag or a line of a --flagfile is not known; 2 with one line when it threw NegativeAnswer;
+// 128 + n when it threw Interrupted after signal n.
 int RunApp(int argc, char** argv, const char* usage, const FlagGroups& flag_groups,
            const std::function<void()>& run);
 

@@ -14,9 +14,11 @@
 
 #include "backend/graph/g2o_io.h"
 #include "backend/plugin/plugin_loader.h"
+#include "backend/scheduling/certify_result.h"
 #include "backend/scheduling/optimize.h"
 #include "experiments/apps/app.h"
 #include "experiments/apps/backend_flags.h"
+#include "experiments/apps/certificate_record.h"
 #include "experiments/apps/graph_picture.h"
 #include "experiments/apps/input_file.h"
 #include "experiments/apps/output_files.h"
@@ -24,6 +26,12 @@
 DEFINE_string(input, "", "File of the pose graph, .g2o or TORO's .graph, plain or gzipped.");
 DEFINE_string(output, "", "File that gets the optimized graph as .g2o. Empty: none.");
 DEFINE_string(png, "", "PNG file that gets a picture of the graph before and after. Empty: none.");
+DEFINE_bool(certify, false,
+            "Prove that the optimized poses are the global optimum of least squares; `certificate` "
+            "in the JSON says of which edges, and how near. Exit status 2 when that fails.");
+DEFINE_bool(certify_descend, true,
+            "With --certify, leave poses that are not proved to be optimal for better ones. "
+            "Without it, the poses of the back end are certified as they are.");
 DEFINE_bool(strict, false,
             "Refuse an input with records that would be left out or taken for something else, such "
             "as edges from a vertex to itself. Without it, they are counted and said.");
@@ -133,6 +141,8 @@ void Run() {
   if (!FLAGS_output.empty()) output.emplace(FLAGS_output);
   if (!FLAGS_png.empty()) png.emplace(FLAGS_png);
   const std::unique_ptr<backend::Optimizer> optimizer = LoadOptimizerFromFlags();
+  const std::unique_ptr<backend::Optimizer> minimizer =
+      FLAGS_certify ? backend::LoadOptimizer("spa") : nullptr;
   backend::G2oRemarks remarks;
   PoseGraph graph =
       backend::ReadG2o(*OpenInput(FLAGS_input), FLAGS_input, {.strict = FLAGS_strict}, &remarks);
@@ -145,12 +155,21 @@ void Run() {
   if (png) before = graph;
 
   const std::clock_t start = std::clock();
-  const Summary summary = OptimizeAsFlagsSay(optimizer.get(), &graph);
+  Summary summary = OptimizeAsFlagsSay(optimizer.get(), &graph);
   const double cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   if (summary.termination == backend::Termination::kFailure) {
     throw std::runtime_error("the back end " + BackendFromFlags() + " failed: " + summary.message);
   }
   ThrowIfInterrupted();
+  std::optional<backend::CertifiedResult> certified;
+  double certificate_cpu_s = 0.0;
+  if (FLAGS_certify) {
+    const std::clock_t certificate_start = std::clock();
+    certified = backend::CertifyResult(OptionsFromFlags().loss, FLAGS_certify_descend,
+                                       minimizer.get(), &graph, &summary);
+    certificate_cpu_s = static_cast<double>(std::clock() - certificate_start) / CLOCKS_PER_SEC;
+    ThrowIfInterrupted();
+  }
   if (FLAGS_verbose) PrintTable(summary);
   if (output) {
     output->files().Write(output->name(),
@@ -159,14 +178,21 @@ void Run() {
   if (png) WriteGraphPicture(*before, graph, png->files().TemporaryPath(png->name()));
   if (output) output->files().Commit();
   if (png) png->files().Commit();
-  std::cout << ToJson(graph, remarks, summary, cpu_s).dump(2) << '\n';
+  Json json = ToJson(graph, remarks, summary, cpu_s);
+  if (certified) {
+    json["certificate"] = CertificateRecord(*certified);
+    json["certificate"]["cpu_s"] = certificate_cpu_s;
+  }
+  std::cout << json.dump(2) << '\n';
+  if (certified && !certified->proved()) throw NegativeAnswer(certified->message);
 }
 
 FlagGroups AllFlagGroups() {
   const FlagGroups output = {{"output",
                               "Input and output",
                               {"input", "output", "png", "strict", "verbose", "list_backends"}}};
-  return Join({output, BackendFlagGroups()});
+  const FlagGroups certificate = {{"certificate", "Certificate", {"certify", "certify_descend"}}};
+  return Join({output, certificate, BackendFlagGroups()});
 }
 
 }  // namespace

@@ -49,6 +49,18 @@ TEST(BlockCholesky, ServesMatricesOfDifferentSizesInTurn) {
   }
 }
 
+TEST(BlockCholesky, SolvesAgainWithTheSameFactor) {
+  const GraphStructure structure = StructureOf(backend::RandomGraph(2));
+  const PoseMatrix matrix = RandomMatrix<3>(structure.blocks(), 2);
+  BlockCholesky cholesky;
+  PoseMatrix::Vector first = RandomVector<3>(structure.blocks(), 3);
+  ASSERT_TRUE(cholesky.Solve(structure.blocks(), structure.symbolic(), matrix, &first));
+  PoseMatrix::Vector x = RandomVector<3>(structure.blocks(), 4);
+  const Eigen::VectorXd right = Dense(x);
+  cholesky.SolveAgain<3>(structure.symbolic(), &x);
+  EXPECT_LT((Dense(structure.blocks(), matrix) * Dense(x) - right).norm(), 1e-9);
+}
+
 TEST(BlockCholesky, RefusesMatricesThatAreNotPositiveDefinite) {
   const GraphStructure structure = StructureOf(backend::RandomGraph(1));
   BlockCholesky cholesky;

@@ -40,6 +40,11 @@ TEST(RunApp, ReportsAnExceptionOnOneLine) {
               "^tool: error: log.clf:3: broken\n$");
 }
 
+TEST(RunApp, TellsANegativeAnswerFromAnError) {
+  EXPECT_EXIT(Main({}, [] { throw NegativeAnswer("undecided"); }), ExitedWithCode(2),
+              "^tool: undecided\n$");
+}
+
 TEST(RunApp, ParsesFlagsBeforeItRuns) {
   EXPECT_EXIT(Main({"--particles=7", "--noverbose_map"},
                    [] { std::exit(FLAGS_particles + (FLAGS_verbose_map ? 100 : 0)); }),

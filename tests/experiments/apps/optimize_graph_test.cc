@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -104,6 +105,62 @@ TEST_F(OptimizeGraph, ListsBackEnds) {
     EXPECT_THAT(result.out, HasSubstr(std::string(name) + "\n"));
   }
   EXPECT_THAT(result.out, HasSubstr("damping (a number of at least 0, default 0): "));
+}
+
+// A ring of 12 nodes, whose poses turn twice on the way around: a local minimum.
+std::string WoundRing() {
+  constexpr int kNodes = 12;
+  constexpr double kTurn = 2.0 * 3.14159265358979 / kNodes;
+  std::string text;
+  double x = 0.0, y = 0.0;
+  for (int k = 0; k < kNodes; ++k) {
+    const std::string next = std::to_string((k + 1) % kNodes);
+    text += "VERTEX_SE2 " + std::to_string(k) + " " + std::to_string(x) + " " + std::to_string(y) +
+            " " + std::to_string(2.0 * k * kTurn) + "\n";
+    text += "EDGE_SE2 " + std::to_string(k) + " " + next + " 1 0 " + std::to_string(kTurn) +
+            " 100 0 0 100 0 100\n";
+    x += std::cos(2.0 * k * kTurn);
+    y += std::sin(2.0 * k * kTurn);
+  }
+  return text;
+}
+
+TEST_F(OptimizeGraph, CertifiesTheGlobalOptimum) {
+  const CommandResult result = Run({"--input=" + graph_, "--certify"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  const auto& certificate = json["certificate"];
+  EXPECT_EQ(certificate["optimal"], true);
+  EXPECT_LE(certificate["relative_suboptimality"], 1e-6);
+  EXPECT_EQ(certificate["cost"], json["final_cost"]);
+  EXPECT_EQ(certificate["problem"], "least squares of all 4 edges");
+}
+
+TEST_F(OptimizeGraph, LeavesALocalMinimumForTheCertifiedOptimum) {
+  const std::string ring = folder_.FileWith("ring.g2o", WoundRing());
+  const std::string output = folder_.Path("out.g2o");
+  const CommandResult result =
+      Run({"--input=" + ring, "--output=" + output, "--loss=none", "--init=keep", "--certify"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["certificate"]["optimal"], true);
+  EXPECT_LT(json["final_cost"], 1e-6);
+  EXPECT_GT(json["certificate"]["given_cost"], 100.0);
+  std::ifstream file(output);
+  EXPECT_EQ(backend::GraphCost(backend::ReadG2o(file, output)), json["final_cost"]);
+}
+
+TEST_F(OptimizeGraph, SaysWhenPosesAreNotProvedToBeOptimal) {
+  const std::string ring = folder_.FileWith("ring.g2o", WoundRing());
+  const std::string output = folder_.Path("out.g2o");
+  const CommandResult result = Run({"--input=" + ring, "--output=" + output, "--loss=none",
+                                    "--init=keep", "--certify", "--nocertify_descend"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.err, StartsWith("optimize_graph: undecided: "));
+  const auto json = nlohmann::json::parse(result.out);
+  EXPECT_EQ(json["certificate"]["optimal"], false);
+  EXPECT_LT(json["certificate"]["smallest_eigenvalue"], 0.0);
+  EXPECT_TRUE(std::filesystem::exists(output));
 }
 
 TEST_F(OptimizeGraph, SaysInOneLineWhatIsWrong) {
