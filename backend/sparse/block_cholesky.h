@@ -24,6 +24,14 @@ class BlockCholesky {
   bool Solve(const BlockStructure& structure, const SymbolicFactor& symbolic,
              const BlockMatrix<kSize>& matrix, typename BlockMatrix<kSize>::Vector* x);
 
+  // The factor L of the matrix that Solve last returned true for: the inverse of each block on the
+  // diagonal, and below it the blocks L(k, i)' of column i, in the places that
+  // SymbolicFactor::column_begin says, k ascending, with the k of each. Blocks are kSize^2 numbers
+  // by rows.
+  const std::vector<double>& inverse_diagonal() const { return inverse_diagonal_; }
+  const std::vector<double>& transposed() const { return transposed_; }
+  const std::vector<int>& row() const { return row_; }
+
  private:
   std::vector<double> inverse_diagonal_;  // blocks of L, inverted
   std::vector<double> transposed_;        // blocks L(k, i)' in column i of L, k ascending
