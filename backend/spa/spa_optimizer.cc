@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "backend/cost/graph_cost.h"
+#include "backend/sparse/graph_covariance.h"
 
 namespace gmapping_spa::spa {
 namespace {
@@ -109,6 +110,17 @@ Summary SpaOptimizer::Optimize(const Options& options, std::span<const backend::
   }
   last_cost_ = summary.final_cost;
   return summary;
+}
+
+std::vector<Eigen::Matrix3d> SpaOptimizer::Covariances(std::span<const backend::Edge> edges,
+                                                       std::span<const backend::Node> nodes,
+                                                       std::span<const backend::EdgeNodes> pairs) {
+  const PoseGraphView graph{nodes, edges};
+  structure_.Update(backend::IndexGraph(graph));
+  if (structure_.changed()) minimizer_.ForgetStructure();
+  auto covariances = CovariancesOf(graph, pairs, structure_, &memory_.equations, &memory_.cholesky);
+  if (!covariances) throw backend::NoCovariances();
+  return *std::move(covariances);
 }
 
 }  // namespace gmapping_spa::spa
