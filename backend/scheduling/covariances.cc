@@ -58,8 +58,14 @@ std::vector<Eigen::Matrix3d> Covariances(const PoseGraphView& graph,
                                          std::span<const EdgeNodes> pairs, Optimizer* optimizer) {
   if (!optimizer->HasCovariances()) return CovariancesByFactor(graph, pairs);
   const GraphIndex index = IndexGraph(graph);
-  std::vector<Eigen::Matrix3d> covariances =
-      optimizer->Covariances(graph.edges, graph.nodes, pairs);
+  std::vector<Eigen::Matrix3d> covariances;
+  try {
+    covariances = optimizer->Covariances(graph.edges, graph.nodes, pairs);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(std::string("the back end: ") + error.what());
+  } catch (...) {
+    throw std::runtime_error("the back end threw an exception of unknown type");
+  }
   if (const std::string violation = Violation(index, pairs, covariances); !violation.empty()) {
     throw std::runtime_error("the back end returned a covariance " + violation);
   }
