@@ -24,9 +24,11 @@ namespace gmapping_spa::spa {
 //
 // Nothing where the covariances do not exist: the edges do not determine all poses. `structure` is
 // that of the graph; `equations` and `cholesky` lend their memory.
-std::optional<std::vector<Eigen::Matrix3d>> CovariancesOf(
-    const backend::PoseGraphView& graph, std::span<const backend::EdgeNodes> pairs,
-    const GraphStructure& structure, NormalEquations* equations, BlockCholesky* cholesky);
+std::optional<std::vector<Eigen::Matrix3d>> CovariancesOf(const backend::PoseGraphView& graph,
+                                                          std::span<const backend::EdgeNodes> pairs,
+                                                          const GraphStructure& structure,
+                                                          NormalEquations* equations,
+                                                          BlockCholesky* cholesky);
 
 }  // namespace gmapping_spa::spa
 

@@ -16,9 +16,10 @@ namespace gmapping_spa::spa {
 // Hessian of a pose graph, Sigma is the covariance of its free nodes. No other part of Sigma, which
 // is dense, is ever made:
 //
-//   - On the pattern of L, from the last column to the first (Takahashi, Fagan, Chen 1973; Kaess
-//     and Dellaert 2009, "Covariance recovery from a square root information matrix for data
-//     association", eq. (14)): with U_k = L(k, j) L(j, j)^-1 and sums over the rows k of column j,
+//   - On the pattern of L, from the last column to the first (Takahashi, Fagan, Chen 1973; for
+//     graphs of poses Kaess and Dellaert 2009, "Covariance recovery from a square root information
+//     matrix for data association", and Ila et al. 2017): with U_k = L(k, j) L(j, j)^-1 and sums
+//     over the rows k of column j,
 //       Sigma(i, j) = -sum Sigma(i, k) U_k,   Sigma(j, j) = (L L')(j, j)^-1 - sum Sigma(j, k) U_k,
 //     which needs no blocks but those on the pattern. It takes twice the products of a
 //     factorization, in the memory of another factor.

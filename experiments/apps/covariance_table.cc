@@ -81,31 +81,6 @@ std::string EdgesUsed(const CovarianceTable& table) {
 
 }  // namespace
 
-CovarianceChoice ParseCovarianceChoice(const std::string& place, const std::string& text) {
-  if (text == "all") return {};
-  const auto fail = [&](const std::string& found) {
-    throw std::runtime_error(place +
-                             ": expected all, ids of nodes (3,7) or pairs of them (3:7,12:40), "
-                             "found '" +
-                             found + "'");
-  };
-  CovarianceChoice choice;
-  std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');) {
-    const std::size_t colon = word.find(':');
-    const auto i = backend::ParseNumber<std::int64_t>(word.substr(0, colon));
-    const auto j =
-        colon == std::string::npos ? i : backend::ParseNumber<std::int64_t>(word.substr(colon + 1));
-    if (!i || !j) fail(word);
-    const Kind kind = colon == std::string::npos ? Kind::kNodes : Kind::kPairs;
-    if (!choice.ids.empty() && choice.kind != kind) fail(text);
-    choice.kind = kind;
-    choice.ids.emplace_back(*i, *j);
-  }
-  if (choice.ids.empty()) fail(text);
-  return choice;
-}
-
 CovarianceTable MakeCovarianceTable(const backend::PoseGraph& graph, const CovarianceChoice& choice,
                                     const backend::Loss& loss, const backend::Summary& summary,
                                     backend::Optimizer* optimizer) {

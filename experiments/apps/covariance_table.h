@@ -7,24 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "backend/graph/graph_index.h"
 #include "backend/plugin/optimizer.h"
+#include "experiments/apps/covariance_choice.h"
 
 namespace gmapping_spa::apps {
-
-// Of which nodes or pairs of nodes, by their ids.
-struct CovarianceChoice {
-  enum class Kind : std::uint8_t { kAll, kNodes, kPairs };
-  Kind kind = Kind::kAll;
-  std::vector<std::pair<std::int64_t, std::int64_t>> ids;  // those of nodes twice
-};
-
-// Of "all", "3,7,12" or "3:7,12:40". Throws std::runtime_error with one line, which begins with
-// `place`.
-CovarianceChoice ParseCovarianceChoice(const std::string& place, const std::string& text);
 
 struct CovarianceTable {
   // Of nodes: i is the held node that the pose j is relative to, the first one of its component,
