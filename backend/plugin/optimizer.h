@@ -76,8 +76,8 @@ class Optimizer {
   virtual Summary Optimize(const Options& options, std::span<const Edge> edges,
                            std::span<Node> nodes) = 0;
 
-  // An ability that an optimizer may have: Covariances. Programs do without (scheduling/
-  // covariances.h) where it has not.
+  // An ability that an optimizer may have: Covariances. Where it has not, programs compute them
+  // from the graph (scheduling/covariances.h).
   virtual bool HasCovariances() const { return false; }
   // For each pair of nodes (positions), the covariance between the pose (x, y, theta) of i, rows,
   // and that of j, columns, at the given poses: those of least squares with all edges at their

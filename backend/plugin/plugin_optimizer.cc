@@ -114,7 +114,7 @@ std::vector<Eigen::Matrix3d> PluginOptimizer::Covariances(std::span<const Edge> 
                                                           std::span<const Node> nodes,
                                                           std::span<const EdgeNodes> pairs) {
   if (covariances_ == nullptr) return Optimizer::Covariances(edges, nodes, pairs);
-  std::vector<Node> lent(nodes.begin(), nodes.end());
+  std::vector<Node> lent(nodes.begin(), nodes.end());  // plain C has no graph to read only
   const GmappingSpaGraph graph = ToAbi(edges, lent);
   std::vector<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> blocks(pairs.size());
   Summary summary;
