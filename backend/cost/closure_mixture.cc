@@ -129,6 +129,18 @@ ClosureMixture FitClosureMixture(const PoseGraphView& graph, const GraphIndex& i
   return mixture;
 }
 
+std::vector<Edge> AcceptedEdges(std::span<const Edge> edges,
+                                const std::vector<double>& inlier_probability,
+                                double variance_factor) {
+  std::vector<Edge> accepted;
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    if (inlier_probability[k] < 0.5) continue;
+    accepted.push_back(edges[k]);
+    if (edges[k].kind == EdgeKind::kLoopClosure) accepted.back().information /= variance_factor;
+  }
+  return accepted;
+}
+
 double MixtureCost(const PoseGraphView& graph, const GraphIndex& index,
                    const std::vector<SE2>& poses, const ClosureMixture& mixture) {
   const std::vector<double> squared = SquaredErrors(graph, index, poses);

@@ -3,6 +3,7 @@
 #ifndef GMAPPING_SPA_BACKEND_COST_CLOSURE_MIXTURE_H_
 #define GMAPPING_SPA_BACKEND_COST_CLOSURE_MIXTURE_H_
 
+#include <span>
 #include <vector>
 
 #include "backend/graph/graph_index.h"
@@ -28,6 +29,12 @@ struct ClosureMixture {
 // the covariances as the edges say them. Few loop closures change the variance little.
 ClosureMixture FitClosureMixture(const PoseGraphView& graph, const GraphIndex& index,
                                  const std::vector<SE2>& poses);
+
+// The edges without loop closures that are rather wrong than right, those closures that are left
+// with the variance that they show.
+std::vector<Edge> AcceptedEdges(std::span<const Edge> edges,
+                                const std::vector<double>& inlier_probability,
+                                double variance_factor);
 
 // Cost of other poses under a mixture: 1/2 sum e' Omega e, where the covariance of loop closures
 // has the variance factor, and none costs more than its outlier_cost.

@@ -54,7 +54,24 @@ int FindRoot(std::vector<int>& parent, int node) {
   return node;
 }
 
+// Connects the components of two nodes. The smaller root wins, so that a component's root is its
+// first node.
+void Connect(const EdgeNodes& nodes, std::vector<int>& parent) {
+  const int a = FindRoot(parent, nodes.i), b = FindRoot(parent, nodes.j);
+  parent[std::max(a, b)] = std::min(a, b);
+}
+
 }  // namespace
+
+std::vector<int> ComponentsOf(const GraphIndex& index) {
+  std::vector<int> component(index.fixed.size());
+  std::iota(component.begin(), component.end(), 0);
+  for (const EdgeNodes& nodes : index.edges) Connect(nodes, component);
+  for (std::size_t k = 0; k < component.size(); ++k) {
+    component[k] = FindRoot(component, static_cast<int>(k));
+  }
+  return component;
+}
 
 GraphIndex IndexGraph(const PoseGraphView& graph) {
   const int node_count = static_cast<int>(graph.nodes.size());
@@ -66,9 +83,7 @@ GraphIndex IndexGraph(const PoseGraphView& graph) {
   for (const Edge& edge : graph.edges) {
     const EdgeNodes nodes{positions.Of(edge.i), positions.Of(edge.j)};
     index.edges.push_back(nodes);
-    // The smaller root wins, so that a component's root is its first node.
-    const int a = FindRoot(parent, nodes.i), b = FindRoot(parent, nodes.j);
-    parent[std::max(a, b)] = std::min(a, b);
+    Connect(nodes, parent);
   }
 
   std::vector<bool> component_has_fixed(node_count, false);

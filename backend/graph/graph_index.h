@@ -27,6 +27,9 @@ struct GraphIndex {
 // that does not exist.
 GraphIndex IndexGraph(const PoseGraphView& graph);
 
+// For each node, the first one of its connected component.
+std::vector<int> ComponentsOf(const GraphIndex& index);
+
 }  // namespace gmapping_spa::backend
 
 #endif  // GMAPPING_SPA_BACKEND_GRAPH_GRAPH_INDEX_H_

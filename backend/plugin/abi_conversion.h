@@ -33,6 +33,10 @@ static_assert(std::is_standard_layout_v<SE2> && offsetof(SE2, x) == 0 &&
 static_assert(static_cast<int>(LossKind::kTruncated) == GMAPPING_SPA_LOSS_TRUNCATED);
 static_assert(static_cast<int>(Termination::kFailure) == GMAPPING_SPA_FAILURE);
 
+static_assert(sizeof(EdgeNodes) == sizeof(GmappingSpaNodePair) && sizeof(int) == 4);
+static_assert(offsetof(EdgeNodes, i) == offsetof(GmappingSpaNodePair, i));
+static_assert(offsetof(EdgeNodes, j) == offsetof(GmappingSpaNodePair, j));
+
 inline GmappingSpaGraph ToAbi(std::span<const Edge> edges, std::span<Node> nodes) {
   return {reinterpret_cast<GmappingSpaNode*>(nodes.data()), nodes.size(),
           reinterpret_cast<const GmappingSpaEdge*>(edges.data()), edges.size()};

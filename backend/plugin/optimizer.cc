@@ -14,6 +14,17 @@ constexpr EnumName<Termination> kNames[] = {{"converged", Termination::kConverge
 
 }  // namespace
 
+std::vector<Eigen::Matrix3d> Optimizer::Covariances(std::span<const Edge> /*edges*/,
+                                                    std::span<const Node> /*nodes*/,
+                                                    std::span<const EdgeNodes> /*pairs*/) {
+  throw std::runtime_error("the back end has no covariances of its own");
+}
+
+std::runtime_error NoCovariances() {
+  return std::runtime_error(
+      "the covariances do not exist: the information of the edges does not determine all poses");
+}
+
 bool KeepsStart(const Options& options) {
   if (options.initialization == Initialization::kAuto) return false;
   if (options.initialization == Initialization::kKeep) return true;

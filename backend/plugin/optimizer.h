@@ -8,10 +8,12 @@
 #include <limits>
 #include <map>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "backend/cost/robust_loss.h"
+#include "backend/graph/graph_index.h"
 #include "backend/graph/pose_graph.h"
 #include "backend/initialization/initialization.h"
 
@@ -73,11 +75,27 @@ class Optimizer {
   // (OptimizeSafely) and the boundary of plugins make a failure of it.
   virtual Summary Optimize(const Options& options, std::span<const Edge> edges,
                            std::span<Node> nodes) = 0;
+
+  // An ability that an optimizer may have: Covariances. Where it has not, programs compute them
+  // from the graph (scheduling/covariances.h).
+  virtual bool HasCovariances() const { return false; }
+  // For each pair of nodes (positions), the covariance between the pose (x, y, theta) of i, rows,
+  // and that of j, columns, at the given poses: those of least squares with all edges at their
+  // information, blocks of the inverse of the Gauss-Newton Hessian of the nodes that are not held.
+  // Coordinates are those that errors are added to (Plus): x and y along the axes of the world
+  // frame, m and rad. Held nodes (see Optimize) have zero. Throws std::runtime_error with one line
+  // when there are none: the edges do not determine all poses, or HasCovariances is false.
+  virtual std::vector<Eigen::Matrix3d> Covariances(std::span<const Edge> edges,
+                                                   std::span<const Node> nodes,
+                                                   std::span<const EdgeNodes> pairs);
 };
 
 // For optimizers: whether to start from the given poses (kKeep) or from where they like (kAuto).
 // Throws std::invalid_argument for other initializations: nobody has seen to them.
 bool KeepsStart(const Options& options);
+
+// For optimizers: the error that their Covariances throw where edges do not determine the poses.
+std::runtime_error NoCovariances();
 
 // For optimizers, at the begin of a call: when options.max_solver_time_s will be over.
 std::chrono::steady_clock::time_point DeadlineOf(const Options& options);

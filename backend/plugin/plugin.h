@@ -3,8 +3,10 @@
 #ifndef GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_H_
 #define GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_H_
 
+#include <cstddef>
 #include <exception>
 #include <span>
+#include <vector>
 
 #include "backend/plugin/abi_conversion.h"
 #include "backend/plugin/plugin_abi.h"
@@ -35,6 +37,27 @@ class PluginAdapter {
     table.destroy = &Destroy;
     table.optimize = &Optimize;
     return table;
+  }
+
+  // For GMAPPING_SPA_BACKEND_COVARIANCES.
+  static void Covariances(void* optimizer, const GmappingSpaGraph* graph,
+                          const GmappingSpaNodePair* pairs, std::size_t pair_count,
+                          double* covariances, const GmappingSpaReport* report) noexcept {
+    try {
+      const std::vector<Eigen::Matrix3d> blocks =
+          static_cast<PluginAdapter*>(optimizer)->optimizer_.Covariances(
+              EdgesOf(*graph), NodesOf(*graph),
+              {reinterpret_cast<const EdgeNodes*>(pairs), pair_count});
+      for (std::size_t k = 0; k < pair_count; ++k) {
+        Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(covariances + 9 * k) =
+            blocks.at(k);
+      }
+      report->set_outcome(report->context, GMAPPING_SPA_CONVERGED, "", 0.0, 0.0);
+    } catch (const std::exception& error) {
+      Fail(error.what(), *report);
+    } catch (...) {
+      Fail("an exception of unknown type", *report);
+    }
   }
 
  private:
@@ -89,6 +112,17 @@ class PluginAdapter {
         gmapping_spa::backend::PluginAdapter<OptimizerType>::Table(name, description); \
     return &table;                                                                     \
   }                                                                                    \
+  static_assert(true, "a semicolon follows")
+
+// Beside it, for an OptimizerType that overrides HasCovariances and Covariances: without this
+// line, the plugin has not the ability.
+#define GMAPPING_SPA_BACKEND_COVARIANCES(OptimizerType)                                    \
+  extern "C" __attribute__((visibility("default"))) void gmapping_spa_backend_covariances( \
+      void* optimizer, const GmappingSpaGraph* graph, const GmappingSpaNodePair* pairs,    \
+      std::size_t pair_count, double* covariances, const GmappingSpaReport* report) {      \
+    gmapping_spa::backend::PluginAdapter<OptimizerType>::Covariances(                      \
+        optimizer, graph, pairs, pair_count, covariances, report);                         \
+  }                                                                                        \
   static_assert(true, "a semicolon follows")
 
 #endif  // GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_H_

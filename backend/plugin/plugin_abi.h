@@ -10,7 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Raised with every change of what follows. */
+/* Raised with every change of what follows but abilities, at the end. */
 #define GMAPPING_SPA_PLUGIN_ABI_VERSION 2
 
 /* The one symbol of a plugin: a function without arguments that returns a
@@ -140,6 +140,28 @@ struct GmappingSpaPlugin {
   void (*optimize)(void* optimizer, const struct GmappingSpaOptions* options,
                    const struct GmappingSpaGraph* graph, const struct GmappingSpaReport* report);
 };
+
+/* What follows are abilities that a plugin may have: each is a symbol of its own beside the entry
+ * point, and a plugin without it has not the ability. They come and go without a new version. */
+
+/* Two nodes by their positions among those of a graph. */
+struct GmappingSpaNodePair {
+  int32_t i;
+  int32_t j;
+};
+
+/* The ability to tell covariances: a GmappingSpaCovariancesFunction. */
+#define GMAPPING_SPA_COVARIANCES_ENTRY_POINT "gmapping_spa_backend_covariances"
+
+/* Writes for each pair the 3 x 3 covariance, by rows, between the pose of i and that of j: the
+ * contract is that of backend::Optimizer::Covariances, optimizer.h. Changes nothing of the graph.
+ * Reports GMAPPING_SPA_CONVERGED, or GMAPPING_SPA_FAILURE with a message when there are none; costs
+ * are not looked at. `optimizer` is one that `create` has made. */
+typedef void (*GmappingSpaCovariancesFunction)(void* optimizer,
+                                               const struct GmappingSpaGraph* graph,
+                                               const struct GmappingSpaNodePair* pairs,
+                                               size_t pair_count, double* covariances,
+                                               const struct GmappingSpaReport* report);
 /* NOLINTEND(modernize-*) */
 
 #endif /* GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_ABI_H_ */

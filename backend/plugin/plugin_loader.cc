@@ -24,8 +24,13 @@ namespace fs = std::filesystem;
 constexpr char kPrefix[] = "libgmapping_spa_";
 constexpr char kSuffix[] = ".so";
 
+struct Plugin {
+  const GmappingSpaPlugin& table;
+  GmappingSpaCovariancesFunction covariances;  // null where it has not the ability
+};
+
 // Opens the plugin and checks that the rest of its table is what this code takes it for.
-const GmappingSpaPlugin& OpenPlugin(const std::string& path) {
+Plugin OpenPlugin(const std::string& path) {
   const auto fail = [&](const std::string& why) {
     std::string message = "cannot load the back end " + path + ": " + why;
     std::replace(message.begin(), message.end(), '\n', ' ');
@@ -57,7 +62,8 @@ const GmappingSpaPlugin& OpenPlugin(const std::string& path) {
       (table->settings == nullptr && table->setting_count > 0)) {
     fail("its table is incomplete");
   }
-  return *table;
+  return {*table, reinterpret_cast<GmappingSpaCovariancesFunction>(
+                      dlsym(library, GMAPPING_SPA_COVARIANCES_ENTRY_POINT))};
 }
 
 // The folders for plugins along the library search path of the program or library that this code is
@@ -121,7 +127,8 @@ std::vector<std::string> PluginSearchPath() {
 std::unique_ptr<Optimizer> LoadOptimizer(const std::string& name,
                                          const std::vector<std::string>& folders) {
   const std::string path = FindPlugin(name, folders);
-  return std::make_unique<PluginOptimizer>(path, OpenPlugin(path));
+  const Plugin plugin = OpenPlugin(path);
+  return std::make_unique<PluginOptimizer>(path, plugin.table, plugin.covariances);
 }
 
 std::unique_ptr<Optimizer> LoadOptimizer(const std::string& name) {
@@ -137,15 +144,18 @@ std::vector<BackendDescription> ListBackends(const std::vector<std::string>& fol
       if (!file.starts_with(kPrefix) || entry.path().extension() != kSuffix) continue;
       const std::string name = entry.path().stem().string().substr(sizeof(kPrefix) - 1);
       if (found.contains(name)) continue;
-      BackendDescription backend{name, entry.path().string(), "", true, "", {}};
+      BackendDescription backend;
+      backend.name = name;
+      backend.path = entry.path().string();
       try {
-        const GmappingSpaPlugin& plugin = OpenPlugin(backend.path);
-        backend.description = plugin.description;
-        backend.losses = LossesOf(plugin);
-        backend.settings = SettingsOf(plugin);
+        const Plugin plugin = OpenPlugin(backend.path);
+        backend.description = plugin.table.description;
+        backend.has_covariances = plugin.covariances != nullptr;
+        backend.losses = LossesOf(plugin.table);
+        backend.settings = SettingsOf(plugin.table);
+        backend.loadable = true;
       } catch (const std::runtime_error& failure) {
         backend.description = failure.what();
-        backend.loadable = false;
       }
       found.emplace(name, std::move(backend));
     }

@@ -33,6 +33,7 @@ struct BackendDescription {
   std::string path;
   std::string description;  // of a plugin that cannot be loaded: why
   bool loadable = false;
+  bool has_covariances = false;
   std::string losses;                            // that it supports, separated by commas
   std::span<const SettingDescription> settings;  // there until the process ends
 };

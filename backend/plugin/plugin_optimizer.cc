@@ -55,8 +55,9 @@ std::string LossesOf(const GmappingSpaPlugin& plugin) {
   return names;
 }
 
-PluginOptimizer::PluginOptimizer(const std::string& path, const GmappingSpaPlugin& plugin)
-    : plugin_(plugin) {
+PluginOptimizer::PluginOptimizer(const std::string& path, const GmappingSpaPlugin& plugin,
+                                 GmappingSpaCovariancesFunction covariances)
+    : plugin_(plugin), covariances_(covariances) {
   Summary summary;
   const GmappingSpaReport report = ReportInto(&summary);
   try {
@@ -107,6 +108,21 @@ Summary PluginOptimizer::Optimize(const Options& options, std::span<const Edge> 
   const GmappingSpaReport report = ReportInto(&summary);
   plugin_.optimize(optimizer_, &plain, &graph, &report);
   return summary;
+}
+
+std::vector<Eigen::Matrix3d> PluginOptimizer::Covariances(std::span<const Edge> edges,
+                                                          std::span<const Node> nodes,
+                                                          std::span<const EdgeNodes> pairs) {
+  if (covariances_ == nullptr) return Optimizer::Covariances(edges, nodes, pairs);
+  std::vector<Node> lent(nodes.begin(), nodes.end());  // plain C has no graph to read only
+  const GmappingSpaGraph graph = ToAbi(edges, lent);
+  std::vector<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> blocks(pairs.size());
+  Summary summary;
+  const GmappingSpaReport report = ReportInto(&summary);
+  covariances_(optimizer_, &graph, reinterpret_cast<const GmappingSpaNodePair*>(pairs.data()),
+               pairs.size(), reinterpret_cast<double*>(blocks.data()), &report);
+  if (summary.termination != Termination::kConverged) throw std::runtime_error(summary.message);
+  return {blocks.begin(), blocks.end()};
 }
 
 }  // namespace gmapping_spa::backend

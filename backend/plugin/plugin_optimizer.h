@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "backend/plugin/optimizer.h"
 #include "backend/plugin/plugin_abi.h"
@@ -21,9 +22,11 @@ std::string LossesOf(const GmappingSpaPlugin& plugin);
 // caller's (OptimizeSafely). Plugins made with plugin.h throw none.
 class PluginOptimizer : public Optimizer {
  public:
-  // `plugin` must outlive the object; `path` is for messages. Throws std::runtime_error with one
-  // line when the plugin makes no optimizer.
-  PluginOptimizer(const std::string& path, const GmappingSpaPlugin& plugin);
+  // `plugin` must outlive the object; `path` is for messages; `covariances` is null for a plugin
+  // that has not the ability. Throws std::runtime_error with one line when the plugin makes no
+  // optimizer.
+  PluginOptimizer(const std::string& path, const GmappingSpaPlugin& plugin,
+                  GmappingSpaCovariancesFunction covariances);
   ~PluginOptimizer() override;
   PluginOptimizer(const PluginOptimizer&) = delete;
   PluginOptimizer& operator=(const PluginOptimizer&) = delete;
@@ -31,9 +34,13 @@ class PluginOptimizer : public Optimizer {
   void CheckOptions(const Options& options) const override;
   Summary Optimize(const Options& options, std::span<const Edge> edges,
                    std::span<Node> nodes) override;
+  bool HasCovariances() const override { return covariances_ != nullptr; }
+  std::vector<Eigen::Matrix3d> Covariances(std::span<const Edge> edges, std::span<const Node> nodes,
+                                           std::span<const EdgeNodes> pairs) override;
 
  private:
   const GmappingSpaPlugin& plugin_;
+  GmappingSpaCovariancesFunction covariances_;
   void* optimizer_ = nullptr;
 };
 

@@ -8,6 +8,7 @@
 #include "backend/cost/closure_mixture.h"
 #include "backend/cost/graph_cost.h"
 #include "backend/graph/graph_index.h"
+#include "backend/scheduling/covariances.h"
 
 namespace gmapping_spa::backend {
 namespace {
@@ -20,20 +21,7 @@ std::string Number(double value, const char* format = "%.3g") {
 
 // The graph with the edges, and their information, that are certified.
 PoseGraph CertifiedGraph(const Loss& loss, const PoseGraph& graph, const Summary& summary) {
-  PoseGraph certified{.nodes = graph.nodes, .edges = {}};
-  for (std::size_t k = 0; k < graph.edges.size(); ++k) {
-    const double weight = summary.edge_weights[k];
-    Edge edge = graph.edges[k];
-    if (loss.kind == LossKind::kMixture) {
-      if (weight < 0.5) continue;
-      if (edge.kind == EdgeKind::kLoopClosure) edge.information /= summary.variance_factor;
-    } else {
-      if (!(weight > 0.0)) continue;
-      edge.information *= weight;
-    }
-    certified.edges.push_back(edge);
-  }
-  return certified;
+  return {.nodes = graph.nodes, .edges = EdgesOfResult(loss, graph.edges, summary)};
 }
 
 std::string ProblemOf(const Loss& loss, const PoseGraph& certified, const PoseGraph& graph,

@@ -107,16 +107,11 @@ class RobustOptimization {
  private:
   // The graph without closures that are rather wrong than right.
   PoseGraph Accepted(const Explanation& explanation) const {
-    PoseGraph accepted{.nodes = {graph_.nodes.begin(), graph_.nodes.end()}, .edges = {}};
+    const ClosureMixture& mixture = explanation.mixture;
+    PoseGraph accepted{
+        .nodes = {graph_.nodes.begin(), graph_.nodes.end()},
+        .edges = AcceptedEdges(graph_.edges, mixture.inlier_probability, mixture.variance_factor)};
     SetPoses(explanation.poses, &accepted);
-    for (std::size_t k = 0; k < graph_.edges.size(); ++k) {
-      if (explanation.mixture.inlier_probability[k] < 0.5) continue;
-      Edge edge = graph_.edges[k];
-      if (edge.kind == EdgeKind::kLoopClosure) {
-        edge.information /= explanation.mixture.variance_factor;
-      }
-      accepted.edges.push_back(edge);
-    }
     return accepted;
   }
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "backend/sparse/graph_covariance.h"
+
 namespace gmapping_spa::spa {
 namespace {
 
@@ -135,6 +137,18 @@ Summary SpaOptimizer::Optimize(const Options& options, std::span<const backend::
   }
   last_cost_ = summary.final_cost;
   return summary;
+}
+
+std::vector<Eigen::Matrix3d> SpaOptimizer::Covariances(std::span<const backend::Edge> edges,
+                                                       std::span<const backend::Node> nodes,
+                                                       std::span<const backend::EdgeNodes> pairs) {
+  const PoseGraphView graph{nodes, edges};
+  structure_.Update(backend::IndexGraph(graph));
+  if (structure_.changed()) minimizer_.ForgetStructure();
+  auto covariances =
+      CovariancesOf(graph, pairs, structure_, &memory_.equations, &memory_.cholesky.by_rows());
+  if (!covariances) throw backend::NoCovariances();
+  return *std::move(covariances);
 }
 
 }  // namespace gmapping_spa::spa

@@ -41,6 +41,11 @@ class SpaOptimizer : public backend::Optimizer {
   void CheckOptions(const backend::Options& options) const override;
   backend::Summary Optimize(const backend::Options& options, std::span<const backend::Edge> edges,
                             std::span<backend::Node> nodes) override;
+  // On the ordering and the symbolic factor of the last graph, if it is the same.
+  bool HasCovariances() const override { return true; }
+  std::vector<Eigen::Matrix3d> Covariances(std::span<const backend::Edge> edges,
+                                           std::span<const backend::Node> nodes,
+                                           std::span<const backend::EdgeNodes> pairs) override;
 
  private:
   // The cheaper one of the given poses, which cost given_cost, and the chordal relaxation; the

@@ -36,6 +36,9 @@ class SparseCholesky {
     }
   }
 
+  // For what needs the factor itself, row by row.
+  BlockCholesky& by_rows() { return rows_; }
+
  private:
   BlockCholesky rows_;
   MultifrontalCholesky fronts_;

@@ -19,6 +19,7 @@
 #include "experiments/apps/app.h"
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/certificate_record.h"
+#include "experiments/apps/covariance_table.h"
 #include "experiments/apps/graph_picture.h"
 #include "experiments/apps/input_file.h"
 #include "experiments/apps/output_files.h"
@@ -32,6 +33,13 @@ DEFINE_bool(certify, false,
 DEFINE_bool(certify_descend, true,
             "With --certify, leave poses that are not proved to be optimal for better ones. "
             "Without it, the poses of the back end are certified as they are.");
+DEFINE_string(covariances, "",
+              "CSV file that gets covariances of the optimized poses, in m and rad; its first line "
+              "says of what, in which frame and from which edges. Empty: none.");
+DEFINE_string(covariances_of, "all",
+              "What --covariances has: all (each node, relative to the held node of its "
+              "component), ids of nodes (3,7,12), or pairs of ids (3:7,12:40: the pose of the "
+              "second node in the frame of the first).");
 DEFINE_bool(strict, false,
             "Refuse an input with records that would be left out or taken for something else, such "
             "as edges from a vertex to itself. Without it, they are counted and said.");
@@ -51,7 +59,10 @@ void ListBackends() {
        backend::ListBackends(backend::PluginSearchPath())) {
     std::cout << found.name << (found.loadable ? "" : " (unusable)") << "\n    " << found.path
               << "\n    " << found.description << '\n';
-    if (found.loadable) std::cout << "    losses: " << found.losses << '\n';
+    if (found.loadable) {
+      std::cout << "    losses: " << found.losses << "\n    covariances: "
+                << (found.has_covariances ? "its own" : "left to the program") << '\n';
+    }
     for (const backend::SettingDescription& setting : found.settings) {
       std::cout << "    " << setting.name << " (" << backend::RangeOf(setting) << ", default "
                 << setting.default_value << "): " << setting.help << '\n';
@@ -137,9 +148,11 @@ void Run() {
   }
   if (FLAGS_input.empty()) throw std::runtime_error("--input=FILE is missing");
   OptionsFromFlags();  // mistakes in flags come before work
-  std::optional<OutputFile> output, png;
+  const CovarianceChoice choice = ParseCovarianceChoice("--covariances_of", FLAGS_covariances_of);
+  std::optional<OutputFile> output, png, covariances;
   if (!FLAGS_output.empty()) output.emplace(FLAGS_output);
   if (!FLAGS_png.empty()) png.emplace(FLAGS_png);
+  if (!FLAGS_covariances.empty()) covariances.emplace(FLAGS_covariances);
   const std::unique_ptr<backend::Optimizer> optimizer = LoadOptimizerFromFlags();
   const std::unique_ptr<backend::Optimizer> minimizer =
       FLAGS_certify ? backend::LoadOptimizer("spa") : nullptr;
@@ -175,22 +188,31 @@ void Run() {
     output->files().Write(output->name(),
                           [&](std::ostream& out) { backend::WriteG2o(graph, out); });
   }
+  Json summary_json = ToJson(graph, remarks, summary, cpu_s);
+  if (covariances) {
+    const CovarianceTable table =
+        MakeCovarianceTable(graph, choice, OptionsFromFlags().loss, summary, optimizer.get());
+    covariances->files().Write(covariances->name(),
+                               [&](std::ostream& out) { WriteCovariances(table, out); });
+    summary_json["covariances"] = ToJson(table);
+  }
   if (png) WriteGraphPicture(*before, graph, png->files().TemporaryPath(png->name()));
   if (output) output->files().Commit();
   if (png) png->files().Commit();
-  Json json = ToJson(graph, remarks, summary, cpu_s);
+  if (covariances) covariances->files().Commit();
   if (certified) {
-    json["certificate"] = CertificateRecord(*certified);
-    json["certificate"]["cpu_s"] = certificate_cpu_s;
+    summary_json["certificate"] = CertificateRecord(*certified);
+    summary_json["certificate"]["cpu_s"] = certificate_cpu_s;
   }
-  std::cout << json.dump(2) << '\n';
+  std::cout << summary_json.dump(2) << '\n';
   if (certified && !certified->proved()) throw NegativeAnswer(certified->message);
 }
 
 FlagGroups AllFlagGroups() {
   const FlagGroups output = {{"output",
                               "Input and output",
-                              {"input", "output", "png", "strict", "verbose", "list_backends"}}};
+                              {"input", "output", "png", "covariances", "covariances_of", "strict",
+                               "verbose", "list_backends"}}};
   const FlagGroups certificate = {{"certificate", "Certificate", {"certify", "certify_descend"}}};
   return Join({output, certificate, BackendFlagGroups()});
 }

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/ceres/ceres_optimizer.h"
 
-#include <ceres/loss_function.h>
-#include <ceres/problem.h>
+#include <ceres/covariance.h>
 #include <ceres/solver.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "backend/cost/graph_cost.h"
 #include "backend/graph/graph_index.h"
-#include "plugins/ceres/edge_cost_function.h"
+#include "plugins/ceres/pose_problem.h"
 
 namespace gmapping_spa::ceres_backend {
 namespace {
@@ -23,20 +22,6 @@ using backend::PoseGraphView;
 using backend::SE2;
 using backend::Summary;
 using backend::Termination;
-
-class RobustLoss : public ::ceres::LossFunction {
- public:
-  explicit RobustLoss(const backend::Loss& loss) : loss_(loss) {}
-  void Evaluate(double s, double rho[3]) const override {
-    const backend::LossValue value = backend::EvaluateLoss(loss_, s);
-    rho[0] = value.rho;
-    rho[1] = value.weight;
-    rho[2] = 0.0;  // plain reweighting, as SPA does
-  }
-
- private:
-  backend::Loss loss_;
-};
 
 ::ceres::Solver::Options SolverOptions(const Options& options) {
   const backend::Settings settings(CeresOptimizer::kSettings, options.settings);
@@ -80,32 +65,9 @@ Summary CeresOptimizer::Optimize(const Options& options, std::span<const backend
     summary.message = "the cost of the given poses is not finite";
     return summary;
   }
-  std::vector<SE2> poses = PosesOf(graph);
-
-  // An SE2 is three doubles in a row. Angles are plain numbers: errors are wrapped, poses at the
-  // end.
-  static_assert(sizeof(SE2) == 3 * sizeof(double));
-  const auto parameters = [&poses](int node) { return &poses[node].x; };
-  RobustLoss loss(options.loss);
-  ::ceres::Problem::Options problem_options;
-  problem_options.loss_function_ownership = ::ceres::DO_NOT_TAKE_OWNERSHIP;
-  ::ceres::Problem problem(problem_options);
-  for (std::size_t node = 0; node < poses.size(); ++node) {
-    problem.AddParameterBlock(parameters(static_cast<int>(node)), 3);
-    if (index.fixed[node]) {
-      problem.SetParameterBlockConstant(parameters(static_cast<int>(node)));
-    }
-  }
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    const backend::Edge& edge = edges[k];
-    const auto [i, j] = index.edges[k];
-    if (i == j) continue;  // no pose changes its error
-    const bool trusted = backend::LossOfEdge(edge, options.loss) == backend::Loss{};
-    problem.AddResidualBlock(new EdgeCostFunction(edge), trusted ? nullptr : &loss, parameters(i),
-                             parameters(j));
-  }
+  PoseProblem problem(graph, index, options.loss);
   ::ceres::Solver::Summary ceres_summary;
-  ::ceres::Solve(solver_options, &problem, &ceres_summary);
+  ::ceres::Solve(solver_options, problem.problem(), &ceres_summary);
 
   summary.message = ceres_summary.message;
   switch (ceres_summary.termination_type) {
@@ -124,6 +86,7 @@ Summary CeresOptimizer::Optimize(const Options& options, std::span<const backend
         {iteration.cost, iteration.step_norm, 1.0 / iteration.trust_region_radius,
          iteration.step_solver_time_in_seconds, iteration.iteration_time_in_seconds});
   }
+  std::vector<SE2> poses = problem.poses();
   for (SE2& pose : poses) pose.theta = backend::WrapAngle(pose.theta);
   const double final_cost = backend::GraphCost(graph, index, poses, options.loss);
   if (final_cost < summary.initial_cost) {
@@ -133,6 +96,31 @@ Summary CeresOptimizer::Optimize(const Options& options, std::span<const backend
     }
   }
   return summary;
+}
+
+std::vector<Eigen::Matrix3d> CeresOptimizer::Covariances(
+    std::span<const backend::Edge> edges, std::span<const backend::Node> nodes,
+    std::span<const backend::EdgeNodes> pairs) {
+  const PoseGraphView graph{nodes, edges};
+  const backend::GraphIndex index = backend::IndexGraph(graph);
+  PoseProblem problem(graph, index, {});
+  // Each block once: Ceres dies of duplicates.
+  std::vector<std::pair<const double*, const double*>> blocks;
+  for (const auto& [i, j] : pairs) {
+    blocks.emplace_back(problem.block(std::min(i, j)), problem.block(std::max(i, j)));
+  }
+  std::ranges::sort(blocks);
+  blocks.erase(std::ranges::unique(blocks).begin(), blocks.end());
+  ::ceres::Covariance covariance({});
+  if (!covariance.Compute(blocks, problem.problem())) throw backend::NoCovariances();
+  std::vector<Eigen::Matrix3d> result;
+  result.reserve(pairs.size());
+  for (const auto& [i, j] : pairs) {
+    Eigen::Matrix<double, 3, 3, Eigen::RowMajor> block;
+    covariance.GetCovarianceBlock(problem.block(i), problem.block(j), block.data());
+    result.emplace_back(block);
+  }
+  return result;
 }
 
 }  // namespace gmapping_spa::ceres_backend

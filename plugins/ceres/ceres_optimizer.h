@@ -3,6 +3,8 @@
 #ifndef GMAPPING_SPA_PLUGINS_CERES_CERES_OPTIMIZER_H_
 #define GMAPPING_SPA_PLUGINS_CERES_CERES_OPTIMIZER_H_
 
+#include <vector>
+
 #include "backend/plugin/optimizer.h"
 #include "backend/plugin/settings.h"
 
@@ -43,6 +45,11 @@ class CeresOptimizer : public backend::Optimizer {
   void CheckOptions(const backend::Options& options) const override;
   backend::Summary Optimize(const backend::Options& options, std::span<const backend::Edge> edges,
                             std::span<backend::Node> nodes) override;
+  // By ceres::Covariance.
+  bool HasCovariances() const override { return true; }
+  std::vector<Eigen::Matrix3d> Covariances(std::span<const backend::Edge> edges,
+                                           std::span<const backend::Node> nodes,
+                                           std::span<const backend::EdgeNodes> pairs) override;
 };
 
 }  // namespace gmapping_spa::ceres_backend

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What holds for every back end, loaded as users load them.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <boost/iostreams/filter/gzip.hpp>
@@ -13,9 +14,11 @@
 #include "backend/graph/g2o_io.h"
 #include "backend/graph/initial_guess.h"
 #include "backend/plugin/plugin_loader.h"
+#include "backend/scheduling/covariances.h"
 #include "backend/scheduling/optimize_safely.h"
 #include "tests/backend/random_graph.h"
 #include "tests/built_back_ends.h"
+#include "tests/message_of.h"
 #include "tests/real_data.h"
 
 namespace gmapping_spa::backend {
@@ -168,6 +171,28 @@ TEST_P(EveryBackend, RefusesMalformedGraphs) {
   graph = RandomGraph(1);
   graph.nodes[3].id = graph.nodes[4].id;
   EXPECT_EQ(Optimize(&graph).termination, Termination::kFailure);
+}
+
+TEST_P(EveryBackend, TellsTheSameCovariancesOrNone) {
+  const std::unique_ptr<Optimizer> optimizer = LoadOptimizer(GetParam()),
+                                   spa = LoadOptimizer("spa");
+  EXPECT_EQ(optimizer->HasCovariances(), std::string(GetParam()) != "none");
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    PoseGraph graph = RandomGraph(seed);
+    graph.nodes[12].fixed = true;
+    graph.nodes.push_back({99, 0.0, {1, 2, 3}});
+    spa->Optimize({}, graph.edges, graph.nodes);
+    const std::vector<EdgeNodes> pairs = {{3, 3},   {3, 17}, {17, 3},  {3, 17}, {12, 12},
+                                          {12, 20}, {0, 29}, {30, 30}, {4, 30}};
+    const std::vector<Eigen::Matrix3d> found = Covariances(graph, pairs, optimizer.get()),
+                                       expected = Covariances(graph, pairs, spa.get());
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      EXPECT_LE((found[k] - expected[k]).norm(), 1e-8 * expected[0].norm()) << seed << ' ' << k;
+    }
+    graph.edges.push_back({3, 99, {1, 0, 0}, Information(0)});
+    EXPECT_THAT(MessageOf([&] { Covariances(graph, pairs, optimizer.get()); }),
+                ::testing::HasSubstr("the covariances do not exist"));
+  }
 }
 
 TEST_P(EveryOptimizer, DoubtsWrongLoopClosuresUnderALoss) {

@@ -37,6 +37,11 @@ TEST(IndexGraph, HoldsFixedNodesInstead) {
   EXPECT_THAT(IndexGraph(graph).fixed, ElementsAre(false, true, true, true, false));
 }
 
+TEST(ComponentsOf, NamesTheFirstNodeOfEach) {
+  const GraphIndex index = IndexGraph(MakeGraph({9, 8, 7, 6, 5, 4}, {{5, 8}, {4, 5}, {6, 7}}));
+  EXPECT_THAT(ComponentsOf(index), ElementsAre(0, 1, 2, 2, 1, 1));
+}
+
 TEST(IndexGraph, RejectsUnknownAndRepeatedIds) {
   EXPECT_THROW(IndexGraph(MakeGraph({0, 1}, {{0, 2}})), std::invalid_argument);
   EXPECT_THROW(IndexGraph(MakeGraph({4, 9}, {{4, 5}})), std::invalid_argument);

@@ -139,6 +139,29 @@ TEST(LoadOptimizer, TakesAPluginInPlainC) {
   }
 }
 
+TEST(LoadOptimizer, CarriesCovariancesAcrossTheBoundary) {
+  const PoseGraph graph = RandomGraph(1);
+  const std::vector<EdgeNodes> pairs = {{2, 2}, {7, 4}};
+  const std::unique_ptr<Optimizer> optimizer = LoadOptimizer("plain_c_covariances", kFolders);
+  ASSERT_TRUE(optimizer->HasCovariances());
+  const std::vector<Eigen::Matrix3d> covariances =
+      optimizer->Covariances(graph.edges, graph.nodes, pairs);
+  ASSERT_EQ(covariances.size(), 2u);
+  EXPECT_EQ(covariances[0](0, 2), 2.0202);  // column 2 of row 0 of the nodes 2 and 2
+  EXPECT_EQ(covariances[1](2, 1), 7.0421);
+  EXPECT_EQ(MessageOf([&] { optimizer->Covariances({}, {}, pairs); }), "no graph, no covariances");
+}
+
+// Plugins that were built before the ability came load as they did, and have it not.
+TEST(LoadOptimizer, KnowsAPluginWithoutCovariances) {
+  for (const char* name : {"plain_c", "nan"}) {
+    const std::unique_ptr<Optimizer> optimizer = LoadOptimizer(name, kFolders);
+    EXPECT_FALSE(optimizer->HasCovariances()) << name;
+    EXPECT_EQ(MessageOf([&] { optimizer->Covariances({}, {}, {}); }),
+              "the back end has no covariances of its own");
+  }
+}
+
 TEST(PluginSearchPath, StartsWithTheEnvironment) {
   setenv("GMAPPING_SPA_PLUGIN_PATH", "/first::/second", 1);
   const std::vector<std::string> folders = PluginSearchPath();
@@ -156,10 +179,14 @@ TEST(ListBackends, DescribesGoodOnesAndSaysWhatIsWrongWithOthers) {
       backends,
       Contains(
           AllOf(Field(&BackendDescription::name, "spa"), Field(&BackendDescription::loadable, true),
+                Field(&BackendDescription::has_covariances, true),
                 Field(&BackendDescription::losses, "none, huber, cauchy, dcs, truncated"),
                 Field(&BackendDescription::settings,
                       Contains(Field(&SettingDescription::name, StrEq("damping")))),
                 Field(&BackendDescription::description, HasSubstr("Sparse Pose Adjustment")))));
+  EXPECT_THAT(backends, Contains(AllOf(Field(&BackendDescription::name, "plain_c"),
+                                       Field(&BackendDescription::loadable, true),
+                                       Field(&BackendDescription::has_covariances, false))));
   EXPECT_THAT(backends,
               Contains(AllOf(Field(&BackendDescription::name, "wrong_abi"),
                              Field(&BackendDescription::loadable, false),

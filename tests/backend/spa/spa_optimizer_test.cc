@@ -206,6 +206,25 @@ TEST(SpaOptimizer, RejectsUnknownSettings) {
   }
 }
 
+TEST(SpaOptimizer, GoesOnAfterCovariancesAsWithoutThem) {
+  PoseGraph graph = backend::RandomGraph(4), same = graph;
+  SpaOptimizer optimizer, other;
+  const std::vector<backend::EdgeNodes> pairs = {{5, 5}};
+  for (const int node : {7, 12}) {
+    optimizer.Optimize({}, graph.edges, graph.nodes);
+    other.Optimize({}, same.edges, same.nodes);
+    PoseGraph part = graph;
+    part.edges.resize(part.edges.size() - 5);
+    optimizer.Covariances(part.edges, part.nodes, pairs);
+    for (PoseGraph* changed : {&graph, &same}) changed->edges[node].i_T_j.x += 0.3;
+  }
+  optimizer.Optimize({}, graph.edges, graph.nodes);
+  other.Optimize({}, same.edges, same.nodes);
+  for (std::size_t k = 0; k < graph.nodes.size(); ++k) {
+    EXPECT_NEAR(graph.nodes[k].world_T_node.x, same.nodes[k].world_T_node.x, 1e-6);
+  }
+}
+
 TEST(SpaOptimizer, ReportsCostsThatAreNotFinite) {
   PoseGraph graph = backend::RandomGraph(1);
   graph.edges[3].i_T_j.x = 1e200;
