@@ -110,7 +110,7 @@ std::vector<Eigen::Matrix3d> CeresOptimizer::Covariances(
     blocks.emplace_back(problem.block(std::min(i, j)), problem.block(std::max(i, j)));
   }
   std::ranges::sort(blocks);
-  blocks.erase(std::ranges::unique(blocks).begin(), blocks.end());
+  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
   ::ceres::Covariance covariance({});
   if (!covariance.Compute(blocks, problem.problem())) throw backend::NoCovariances();
   std::vector<Eigen::Matrix3d> result;
