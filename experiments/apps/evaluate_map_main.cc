@@ -15,6 +15,7 @@
 #include "experiments/apps/error_picture.h"
 #include "experiments/apps/flag_checks.h"
 #include "experiments/apps/json.h"
+#include "experiments/apps/staging_folder.h"
 #include "experiments/apps/trajectory_files.h"
 #include "experiments/metrics/association.h"
 #include "experiments/metrics/best_alignment.h"
@@ -82,6 +83,11 @@ void CheckFlags() {
   } else if (FLAGS_truth_trajectory.empty()) {
     throw std::runtime_error("--truth needs --truth_trajectory=FILE");
   }
+}
+
+map::TrinaryMap ReadMapFile(const std::string& path) {
+  CompleteSetOf(path);
+  return map::ReadMap(path);
 }
 
 // How the map lies over the truth: by all poses together, as --align says, and by single ones.
@@ -161,7 +167,7 @@ Json ToJson(const std::vector<metrics::ObjectErrors>& objects) {
 }
 
 Json AgainstTruth(const map::TrinaryMap& map) {
-  const map::TrinaryMap truth = map::ReadMap(FLAGS_truth);
+  const map::TrinaryMap truth = ReadMapFile(FLAGS_truth);
   const TrajectoryFile true_trajectory = ReadTrajectoryFile(FLAGS_truth_trajectory);
   const backend::Trajectory& true_poses = true_trajectory.poses;
   const Alignments alignments = AlignmentsFromFlags(true_trajectory);
@@ -209,14 +215,14 @@ Json AgainstTruth(const map::TrinaryMap& map) {
        "cell; blur and shift along the normals of straight surface; null: nothing to measure"}};
   if (!FLAGS_objects.empty()) {
     json["objects"] = ToJson(
-        metrics::FindObjectErrors(truth, map::ReadMap(FLAGS_objects), fitted, FLAGS_tolerance));
+        metrics::FindObjectErrors(truth, ReadMapFile(FLAGS_objects), fitted, FLAGS_tolerance));
   }
   return json;
 }
 
 void Run() {
   CheckFlags();
-  const map::TrinaryMap map = map::ReadMap(FLAGS_map);
+  const map::TrinaryMap map = ReadMapFile(FLAGS_map);
   const metrics::MapStructure structure = metrics::MeasureStructure(map);
   Json json = {{"map",
                 {{"resolution_m", map.resolution_m},
