@@ -32,15 +32,15 @@ for reader in "${readers[@]}"; do
   [[ ! -e ${dictionary[0]} ]] || options+=(-dict="${dictionary[0]}")
   build-fuzz/tests/fuzz/"$reader"_fuzz "${options[@]}" "$corpus" "$seeds" "$findings" \
     >"$log" 2>&1 || broken+=("$reader")
-  rmdir --ignore-fail-on-non-empty "$findings"
+  rmdir --ignore-fail-on-non-empty "$findings"  # folders without files are not kept
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
-  covered=$(grep -oE 'cov: [0-9]+' "$log" | tail -n 1)
+  covered=$(grep -aoE 'cov: [0-9]+' "$log" | tail -n 1)
   echo "$reader: ${executions:-?} executions, edges of code covered: ${covered#cov: }"
 done
 if [[ ${#broken[@]} -gt 0 ]]; then
   for reader in "${broken[@]}"; do
     echo "fuzz.sh: $reader is broken (build-fuzz/$reader.log):" >&2
-    grep -m 5 -E 'broken contract|ERROR|runtime error|Test unit written' "build-fuzz/$reader.log" >&2 || true
+    grep -a -m 5 -E 'broken contract|ERROR|runtime error|Test unit written' "build-fuzz/$reader.log" >&2 || true
   done
   exit 1
 fi

@@ -33,7 +33,7 @@ constexpr double kFarthestOrigin_m = 1e6;
 constexpr std::uint8_t kFreePixel = 254, kOccupiedPixel = 0, kUnknownPixel = 205;
 
 [[noreturn]] void Fail(const std::string& path, const std::string& message) {
-  throw std::runtime_error(path + ": " + message);
+  throw std::runtime_error(backend::Printable(path + ": " + message));
 }
 
 std::string ReadBytes(const std::string& path) {
