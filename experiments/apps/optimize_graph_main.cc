@@ -8,9 +8,11 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "backend/graph/g2o_io.h"
 #include "backend/plugin/plugin_loader.h"
@@ -19,6 +21,7 @@
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/graph_picture.h"
 #include "experiments/apps/input_file.h"
+#include "experiments/apps/interruptible.h"
 #include "experiments/apps/output_files.h"
 
 DEFINE_string(input, "", "File of the pose graph, .g2o or TORO's .graph, plain or gzipped.");
@@ -122,6 +125,20 @@ class OutputFile {
   OutputFiles files_;
 };
 
+struct Optimized {
+  PoseGraph graph;
+  Summary summary;
+};
+
+Optimized Optimize(std::shared_ptr<backend::Optimizer> optimizer, PoseGraph graph) {
+  return RunInterruptibly<Optimized>(
+      [optimizer = std::move(optimizer), graph = std::move(graph)]() mutable {
+        Summary summary = OptimizeAsFlagsSay(optimizer.get(), &graph);
+        return Optimized{std::move(graph), std::move(summary)};
+      },
+      "interrupted: the back end " + BackendFromFlags() + " was still at work; nothing is written");
+}
+
 void Run() {
   if (FLAGS_list_backends) {
     ListBackends();
@@ -132,7 +149,7 @@ void Run() {
   std::optional<OutputFile> output, png;
   if (!FLAGS_output.empty()) output.emplace(FLAGS_output);
   if (!FLAGS_png.empty()) png.emplace(FLAGS_png);
-  const std::unique_ptr<backend::Optimizer> optimizer = LoadOptimizerFromFlags();
+  std::shared_ptr<backend::Optimizer> optimizer = LoadOptimizerFromFlags();
   backend::G2oRemarks remarks;
   PoseGraph graph =
       backend::ReadG2o(*OpenInput(FLAGS_input), FLAGS_input, {.strict = FLAGS_strict}, &remarks);
@@ -145,7 +162,8 @@ void Run() {
   if (png) before = graph;
 
   const std::clock_t start = std::clock();
-  const Summary summary = OptimizeAsFlagsSay(optimizer.get(), &graph);
+  const auto [optimized, summary] = Optimize(std::move(optimizer), std::move(graph));
+  graph = optimized;
   const double cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   if (summary.termination == backend::Termination::kFailure) {
     throw std::runtime_error("the back end " + BackendFromFlags() + " failed: " + summary.message);

@@ -23,15 +23,20 @@ SlamRun::SlamRun() : SlamRun(SlamOptionsFromFlags()) {}
 SlamRun::SlamRun(const SlamOptions& options)
     : occupied_threshold_(options.occupied_threshold),
       gmapping_(frontend::GmappingOptions(options), frontend::MakeScanMatcher(options),
-                frontend::BindOptimizer(options, LoadOptimizerFromFlags())) {}
+                frontend::BindOptimizer(options, LoadOptimizerFromFlags())) {
+  gmapping_.StopWaitingWhen([] { return ReceivedSignal() != 0; });
+}
 
 void SlamRun::AddScan(const sensor::LaserScan& scan) { gmapping_.AddScan(scan); }
 
 bool SlamRun::Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
                      OutputFiles* files) {
   stopwatch_.Lap("processing_s");
-  const int signal = ReceivedSignal();
+  const std::int64_t late = gmapping_.graph_thread().counts().late;
+  int signal = ReceivedSignal();
   const frontend::SlamResult estimate = signal == 0 ? gmapping_.Finish() : gmapping_.FinishEarly();
+  // A signal during the final optimization may have cut it short.
+  if (gmapping_.graph_thread().counts().late > late) signal = ReceivedSignal();
   stopwatch_.Lap("finish_s");
   const backend::Trajectory& trajectory = estimate.trajectory;
   const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, occupied_threshold_);
