@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "backend/graph/trajectory_io.h"
+#include "backend/out_of_memory.h"
 #include "experiments/apps/app.h"
 #include "experiments/apps/error_picture.h"
 #include "experiments/apps/flag_checks.h"
@@ -87,7 +88,7 @@ void CheckFlags() {
 
 map::TrinaryMap ReadMapFile(const std::string& path) {
   CompleteSetOf(path);
-  return map::ReadMap(path);
+  return backend::WithMemory("while reading " + path, [&] { return map::ReadMap(path); });
 }
 
 // How the map lies over the truth: by all poses together, as --align says, and by single ones.
@@ -220,9 +221,7 @@ Json AgainstTruth(const map::TrinaryMap& map) {
   return json;
 }
 
-void Run() {
-  CheckFlags();
-  const map::TrinaryMap map = ReadMapFile(FLAGS_map);
+void Compare(const map::TrinaryMap& map) {
   const metrics::MapStructure structure = metrics::MeasureStructure(map);
   Json json = {{"map",
                 {{"resolution_m", map.resolution_m},
@@ -231,6 +230,14 @@ void Run() {
                  {"corners", structure.corners}}}};
   if (!FLAGS_truth.empty()) json.update(AgainstTruth(map));
   std::cout << json.dump(2) << '\n';
+}
+
+void Run() {
+  CheckFlags();
+  const map::TrinaryMap map = ReadMapFile(FLAGS_map);
+  backend::WithMemory("while measuring a map of " + std::to_string(map.width) + " x " +
+                          std::to_string(map.height) + " cells",
+                      [&] { Compare(map); });
 }
 
 FlagGroups AllFlagGroups() {

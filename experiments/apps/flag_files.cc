@@ -57,9 +57,9 @@ class Reader {
       RefuseFormerName(here, WithoutDashes(line));
       const std::optional<FlagSetting> flag = ParseFlag(here, WithoutDashes(line));
       if (!flag) {
-        throw std::runtime_error(
-            here + ": expected --flag=value with a flag of this program, found '" +
-            backend::Printable(line) + "'");
+        throw std::runtime_error(here +
+                                 ": expected --flag=value with a flag of this program, found '" +
+                                 backend::Printable(line) + "'");
       }
       if (flag->name == "flagfile") {
         Read(here, flag->value);

@@ -22,7 +22,7 @@ Result RunInterruptibly(std::function<Result()> work, const std::string& message
   constexpr auto kPatience = std::chrono::seconds(2);
   std::packaged_task<Result()> task(std::move(work));
   std::future<Result> result = task.get_future();
-  std::thread thread(std::move(task));
+  std::thread thread(std::move(task));  // for want of memory, throws std::system_error
   while (result.wait_for(std::chrono::milliseconds(50)) != std::future_status::ready) {
     if (ReceivedSignal() == 0 || result.wait_for(kPatience) == std::future_status::ready) continue;
     thread.detach();

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "backend/graph/g2o_io.h"
+#include "backend/out_of_memory.h"
 #include "backend/plugin/plugin_loader.h"
 #include "backend/scheduling/optimize.h"
 #include "experiments/apps/app.h"
@@ -151,8 +152,10 @@ void Run() {
   if (!FLAGS_png.empty()) png.emplace(FLAGS_png);
   std::shared_ptr<backend::Optimizer> optimizer = LoadOptimizerFromFlags();
   backend::G2oRemarks remarks;
-  PoseGraph graph =
-      backend::ReadG2o(*OpenInput(FLAGS_input), FLAGS_input, {.strict = FLAGS_strict}, &remarks);
+  PoseGraph graph = backend::WithMemory("while reading " + FLAGS_input, [&] {
+    return backend::ReadG2o(*OpenInput(FLAGS_input), FLAGS_input, {.strict = FLAGS_strict},
+                            &remarks);
+  });
   for (const auto& [remark, count] : remarks) {
     LOG(WARNING) << FLAGS_input << ": " << remark << " (" << count << ")";
   }
@@ -162,7 +165,10 @@ void Run() {
   if (png) before = graph;
 
   const std::clock_t start = std::clock();
-  const auto [optimized, summary] = Optimize(std::move(optimizer), std::move(graph));
+  const auto [optimized, summary] =
+      backend::WithMemory("while optimizing a graph of " + std::to_string(graph.nodes.size()) +
+                              " nodes and " + std::to_string(graph.edges.size()) + " edges",
+                          [&] { return Optimize(std::move(optimizer), graph); });
   graph = optimized;
   const double cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   if (summary.termination == backend::Termination::kFailure) {

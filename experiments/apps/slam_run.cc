@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 #include "backend/graph/g2o_io.h"
 #include "backend/graph/trajectory_io.h"
+#include "backend/out_of_memory.h"
 #include "experiments/apps/app.h"
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/closure_table.h"
@@ -27,10 +29,21 @@ SlamRun::SlamRun(const SlamOptions& options)
   gmapping_.StopWaitingWhen([] { return ReceivedSignal() != 0; });
 }
 
-void SlamRun::AddScan(const sensor::LaserScan& scan) { gmapping_.AddScan(scan); }
+void SlamRun::AddScan(const sensor::LaserScan& scan) {
+  backend::WithMemory("at scan " + std::to_string(counts().scans + 1) + " with the maps of " +
+                          std::to_string(gmapping_.filter().particles().size()) + " particles",
+                      [&] { gmapping_.AddScan(scan); });
+}
 
 bool SlamRun::Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
                      OutputFiles* files) {
+  return backend::WithMemory(
+      "while making the results of " + std::to_string(counts().scans) + " scans",
+      [&] { return WriteResults(input, log_counts, files); });
+}
+
+bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
+                           OutputFiles* files) {
   stopwatch_.Lap("processing_s");
   const std::int64_t late = gmapping_.graph_thread().counts().late;
   int signal = ReceivedSignal();

@@ -10,7 +10,9 @@
 #include <memory>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
+#include "backend/out_of_memory.h"
 #include "backend/text.h"
 #include "frontend/map/yaml_file.h"
 
@@ -39,8 +41,12 @@ constexpr std::uint8_t kFreePixel = 254, kOccupiedPixel = 0, kUnknownPixel = 205
 std::string ReadBytes(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream bytes;
-  if (!file || !(bytes << file.rdbuf())) Fail(path, "expected an image, found nothing to read");
-  return std::move(bytes).str();
+  bytes.exceptions(std::ios::failbit);  // else want of memory passes for a file that is empty
+  try {
+    if (file && bytes << file.rdbuf()) return std::move(bytes).str();
+  } catch (const std::ios::failure&) {
+  }
+  Fail(path, "expected an image, found nothing to read");
 }
 
 // One number of a PGM or PPM header, after blanks and comments.
@@ -72,6 +78,17 @@ void CheckPnm(const std::string& path, const std::string& bytes) {
   }
 }
 
+// A header of a few bytes must not make stb ask for gigabytes. Deflate makes 1032 bytes of one at
+// most (https://zlib.net/zlib_tech.html).
+void CheckPng(const std::string& path, const std::string& bytes, std::int64_t pixels) {
+  constexpr std::size_t kBitDepth = 24;  // its place in the header
+  const std::int64_t bits = bytes.size() > kBitDepth ? bytes[kBitDepth] : 0;
+  if (pixels * bits / 8 / 1032 > static_cast<std::int64_t>(bytes.size())) {
+    Fail(path, "expected a file as large as its " + std::to_string(pixels) +
+                   " pixels can be packed into, found " + std::to_string(bytes.size()) + " bytes");
+  }
+}
+
 struct Image {
   int width, height, channels;
   std::unique_ptr<stbi_uc, void (*)(void*)> pixels;  // row 0 at the top
@@ -90,7 +107,8 @@ Image ReadImage(const std::string& path) {
     Fail(path, "expected 1 to " + std::to_string(kMaxMapCells) + " pixels, found " +
                    std::to_string(width) + " x " + std::to_string(height));
   }
-  if (bytes[0] == 'P') CheckPnm(path, bytes);
+  const std::int64_t pixels = static_cast<std::int64_t>(width) * height;
+  bytes[0] == 'P' ? CheckPnm(path, bytes) : CheckPng(path, bytes, pixels);
   // map_server sees grey with alpha as RGBA.
   if (channels == 2) channels = 4;
   Image image{
@@ -98,6 +116,10 @@ Image ReadImage(const std::string& path) {
       height,
       channels,
       {stbi_load_from_memory(data, size, &width, &height, nullptr, channels), stbi_image_free}};
+  if (!image.pixels && std::string_view(stbi_failure_reason()) == "outofmem") {
+    throw backend::OutOfMemory("out of memory while reading " + path + ": " +
+                               backend::MemoryOfCells(width, height, channels));
+  }
   if (!image.pixels) {
     Fail(path, std::string("expected an intact image, found: ") + stbi_failure_reason());
   }
@@ -168,7 +190,9 @@ TrinaryMap ReadMap(const std::string& yaml_path) {
   const Image image = ReadImage(image_path.string());
   map.width = image.width;
   map.height = image.height;
-  map.cells.resize(static_cast<std::size_t>(map.width) * map.height);
+  backend::WithMemory("while reading " + yaml_path + ": " +
+                          backend::MemoryOfCells(map.width, map.height, 1 + image.channels),
+                      [&] { map.cells.resize(static_cast<std::size_t>(map.width) * map.height); });
   const stbi_uc* pixel = image.pixels.get();
   for (int row = map.height - 1; row >= 0; --row) {
     for (int column = 0; column < map.width; ++column) {
