@@ -50,8 +50,8 @@ std::string Quoted(std::string_view word) {
 std::string Printable(std::string_view text) {
   std::string printable(text);
   std::replace_if(
-      printable.begin(), printable.end(),
-      [](unsigned char c) { return c < ' ' || c == 0x7f; }, '?');
+      printable.begin(), printable.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; },
+      '?');
   return printable;
 }
 

@@ -68,7 +68,7 @@ void ProcessOptimizer::Watch(const Function& function) const {
   throw BackendDied(failure.str());
 }
 
-void ProcessOptimizer::Start(PacketChannel::TimePoint deadline) const {
+void ProcessOptimizer::Start(std::chrono::steady_clock::time_point deadline) const {
   process_ = std::make_unique<WorkerProcess>(worker_, plugin_);
   // The first packet tells whether the plugin could be loaded.
   const OptimizerReply loaded =

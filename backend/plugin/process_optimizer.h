@@ -4,13 +4,13 @@
 #ifndef GMAPPING_SPA_BACKEND_PLUGIN_PROCESS_OPTIMIZER_H_
 #define GMAPPING_SPA_BACKEND_PLUGIN_PROCESS_OPTIMIZER_H_
 
+#include <chrono>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "backend/plugin/optimizer.h"
-#include "backend/plugin/packet_channel.h"
 
 namespace gmapping_spa::backend {
 
@@ -37,7 +37,7 @@ class ProcessOptimizer : public Optimizer {
   // Makes of what the channel throws an end of the process, and an exception that tells it.
   template <typename Function>
   void Watch(const Function& function) const;
-  void Start(PacketChannel::TimePoint deadline) const;
+  void Start(std::chrono::steady_clock::time_point deadline) const;
   // Sends the request and takes the nodes of the answer.
   Summary Call(const std::vector<char>& request, std::span<Node> nodes) const;
 

@@ -2,12 +2,14 @@
 // Optimizes a pose graph with any back end and prints the summary as JSON.
 #include <gflags/gflags.h>
 #include <glog/logging.h>
+#include <sys/resource.h>
 
 #include <algorithm>
-#include <ctime>
+#include <cstdint>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -110,21 +112,46 @@ Json ToJson(const PoseGraph& graph, const backend::G2oRemarks& remarks, const Su
            "edges between ids that are not neighbors in ascending order"}};
 }
 
-// A file that appears whole or not at all.
-class OutputFile {
+std::string NameOf(const std::string& path) {
+  std::string name = fs::path(path).filename().string();
+  if (name.empty()) throw std::runtime_error(path + ": expected the name of a file");
+  return name;
+}
+
+// Files that appear whole or not at all: those of one folder together.
+class Outputs {
  public:
-  explicit OutputFile(const std::string& path)
-      : name_(fs::path(path).filename().string()),
-        files_(fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : ".") {
-    if (name_.empty()) throw std::runtime_error(path + ": expected the name of a file");
+  // The set of the folder of a file that will be written. An empty path: none.
+  void Add(const std::string& path) {
+    if (path.empty()) return;
+    NameOf(path);
+    sets_.try_emplace(FolderOf(path), FolderOf(path));
   }
-  OutputFiles& files() { return files_; }
-  const std::string& name() const { return name_; }
+  OutputFiles& Of(const std::string& path) { return sets_.at(FolderOf(path)); }
+  void Commit() {
+    for (auto& [folder, files] : sets_) files.Commit();
+  }
 
  private:
-  std::string name_;
-  OutputFiles files_;
+  static std::string FolderOf(const std::string& path) {
+    const fs::path folder = fs::path(path).parent_path();
+    return folder.empty() ? "." : folder.lexically_normal().string();
+  }
+  std::map<std::string, OutputFiles> sets_;
 };
+
+// Of this process, and of a back end's own once it has ended.
+std::int64_t CpuTime_us() {
+  std::int64_t time_us = 0;
+  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage{};
+    getrusage(who, &usage);
+    for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
+      time_us += 1'000'000 * std::int64_t{time.tv_sec} + time.tv_usec;
+    }
+  }
+  return time_us;
+}
 
 struct Optimized {
   PoseGraph graph;
@@ -147,9 +174,9 @@ void Run() {
   }
   if (FLAGS_input.empty()) throw std::runtime_error("--input=FILE is missing");
   OptionsFromFlags();  // mistakes in flags come before work
-  std::optional<OutputFile> output, png;
-  if (!FLAGS_output.empty()) output.emplace(FLAGS_output);
-  if (!FLAGS_png.empty()) png.emplace(FLAGS_png);
+  Outputs outputs;
+  outputs.Add(FLAGS_output);
+  outputs.Add(FLAGS_png);
   std::shared_ptr<backend::Optimizer> optimizer = LoadOptimizerFromFlags();
   backend::G2oRemarks remarks;
   PoseGraph graph = backend::WithMemory("while reading " + FLAGS_input, [&] {
@@ -162,27 +189,29 @@ void Run() {
   if (graph.nodes.empty()) LOG(WARNING) << FLAGS_input << ": holds no vertices and no edges";
   ThrowIfInterrupted();
   std::optional<PoseGraph> before;
-  if (png) before = graph;
+  if (!FLAGS_png.empty()) before = graph;
 
-  const std::clock_t start = std::clock();
+  const std::int64_t start_us = CpuTime_us();
   const auto [optimized, summary] =
       backend::WithMemory("while optimizing a graph of " + std::to_string(graph.nodes.size()) +
                               " nodes and " + std::to_string(graph.edges.size()) + " edges",
                           [&] { return Optimize(std::move(optimizer), graph); });
   graph = optimized;
-  const double cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  const double cpu_s = 1e-6 * static_cast<double>(CpuTime_us() - start_us);
   if (summary.termination == backend::Termination::kFailure) {
     throw std::runtime_error("the back end " + BackendFromFlags() + " failed: " + summary.message);
   }
   ThrowIfInterrupted();
   if (FLAGS_verbose) PrintTable(summary);
-  if (output) {
-    output->files().Write(output->name(),
-                          [&](std::ostream& out) { backend::WriteG2o(graph, out); });
+  if (!FLAGS_output.empty()) {
+    outputs.Of(FLAGS_output).Write(NameOf(FLAGS_output), [&](std::ostream& out) {
+      backend::WriteG2o(graph, out);
+    });
   }
-  if (png) WriteGraphPicture(*before, graph, png->files().TemporaryPath(png->name()));
-  if (output) output->files().Commit();
-  if (png) png->files().Commit();
+  if (before) {
+    WriteGraphPicture(*before, graph, outputs.Of(FLAGS_png).TemporaryPath(NameOf(FLAGS_png)));
+  }
+  outputs.Commit();
   std::cout << ToJson(graph, remarks, summary, cpu_s).dump(2) << '\n';
 }
 
