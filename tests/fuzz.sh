@@ -34,7 +34,7 @@ for reader in "${readers[@]}"; do
     >"$log" 2>&1 || broken+=("$reader")
   rmdir --ignore-fail-on-non-empty "$findings"  # folders without files are not kept
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
-  covered=$(grep -aoE 'cov: [0-9]+' "$log" | tail -n 1)
+  covered=$(grep -aoE 'cov: [0-9]+' "$log" | tail -n 1 || true)
   echo "$reader: ${executions:-?} executions, edges of code covered: ${covered#cov: }"
 done
 if [[ ${#broken[@]} -gt 0 ]]; then

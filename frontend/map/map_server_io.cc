@@ -78,14 +78,33 @@ void CheckPnm(const std::string& path, const std::string& bytes) {
   }
 }
 
-// A header of a few bytes must not make stb ask for gigabytes. Deflate makes 1032 bytes of one at
-// most (https://zlib.net/zlib_tech.html).
+// Four bytes of a PNG file, the most significant first.
+std::size_t BigEndian(const std::string& bytes, std::size_t position) {
+  std::size_t number = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    number = number << 8 | static_cast<unsigned char>(bytes.at(position + k));
+  }
+  return number;
+}
+
+// A few bytes must not make stb ask for gigabytes: neither a header of more pixels than the file
+// can hold (deflate makes 1032 bytes of one at most, https://zlib.net/zlib_tech.html), nor a chunk
+// of more bytes than the file has.
 void CheckPng(const std::string& path, const std::string& bytes, std::int64_t pixels) {
   constexpr std::size_t kBitDepth = 24;  // its place in the header
   const std::int64_t bits = bytes.size() > kBitDepth ? bytes[kBitDepth] : 0;
   if (pixels * bits / 8 / 1032 > static_cast<std::int64_t>(bytes.size())) {
     Fail(path, "expected a file as large as its " + std::to_string(pixels) +
                    " pixels can be packed into, found " + std::to_string(bytes.size()) + " bytes");
+  }
+  constexpr std::size_t kSignature = 8, kOverhead = 12;  // of a chunk: length, type, checksum
+  for (std::size_t at = kSignature; at + kOverhead <= bytes.size();) {
+    const std::size_t size = BigEndian(bytes, at);
+    if (size > bytes.size() - at - kOverhead) {
+      Fail(path, "expected an intact image, found: a chunk of " + std::to_string(size) +
+                     " bytes beyond the end of the file");
+    }
+    at += kOverhead + size;
   }
 }
 

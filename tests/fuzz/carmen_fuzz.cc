@@ -32,8 +32,10 @@ void ReadLog(const std::string& text, const sensor::LogOptions& options) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gmapping_spa;
   const std::string text = fuzz::TextOf(data, size);
-  fuzz::ReadsOrRefuses([&] { fuzz::ReadLog(text, {}); });
-  fuzz::ReadsOrRefuses(
-      [&] { fuzz::ReadLog(text, {.bad_record = sensor::BadRecordPolicy::kFail}); });
+  sensor::LogOptions options;
+  for (const auto policy : {sensor::BadRecordPolicy::kSkip, sensor::BadRecordPolicy::kFail}) {
+    options.bad_record = policy;
+    fuzz::ReadsOrRefuses([&] { fuzz::ReadLog(text, options); });
+  }
   return 0;
 }

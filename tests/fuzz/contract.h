@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "backend/out_of_memory.h"
+
 namespace gmapping_spa::fuzz {
 
 // Ends the process, so that the fuzzer keeps the input.
@@ -27,6 +29,8 @@ bool ReadsOrRefuses(const Read& read) {
   try {
     read();
     return true;
+  } catch (const backend::OutOfMemory& error) {
+    Break(std::string("expected to need little memory, found: ") + error.what());
   } catch (const std::runtime_error& error) {
     const std::string message = error.what();
     const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };
