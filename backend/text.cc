@@ -47,6 +47,14 @@ std::string Quoted(std::string_view word) {
   return quoted + (word.size() > kMaxLength ? "...'" : "'");
 }
 
+std::string Printable(std::string_view text) {
+  std::string printable(text);
+  std::replace_if(
+      printable.begin(), printable.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; },
+      '?');
+  return printable;
+}
+
 std::string ShortestText(double number) { return Text(number); }
 
 std::string ShortestFixedText(double number) { return Text(number, std::chars_format::fixed); }

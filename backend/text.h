@@ -32,6 +32,9 @@ std::vector<std::string_view> WordsOf(std::string_view line);
 // The word as it can stand in a message of one line, even when the file is a binary one.
 std::string Quoted(std::string_view word);
 
+// The text of a file with '?' for control characters, as it can stand in a message of one line.
+std::string Printable(std::string_view text);
+
 // The number that the whole word is, with or without a plus sign; nothing when it is none. "nan"
 // and "inf" are floating-point numbers, and one that is too large or too small for its type is nan.
 template <typename Number>

@@ -15,7 +15,17 @@
 namespace gmapping_spa::frontend {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr double kFinalPatience = 10.0;  // timeouts
+constexpr auto kPatienceOnceAsked = std::chrono::seconds(2);
+constexpr auto kTimeBetweenLooks = std::chrono::milliseconds(100);
+
+Clock::duration Duration(double time_s) {
+  constexpr double kLongest_s = 1e9;  // the clock's nanoseconds overflow at ten times as many
+  return std::chrono::duration_cast<Clock::duration>(
+      std::chrono::duration<double>(std::min(time_s, kLongest_s)));
+}
 
 // An exception is a failure that says so.
 backend::Summary OptimizeOrSayWhy(const GraphThread::OptimizeFunction& optimize,
@@ -31,14 +41,6 @@ backend::Summary OptimizeOrSayWhy(const GraphThread::OptimizeFunction& optimize,
   return failure;
 }
 
-// For any number of seconds.
-template <typename Result>
-bool IsReadyWithin(double timeout_s, const std::future<Result>& result) {
-  constexpr double kLongest_s = 1e9;  // the clock's nanoseconds overflow at ten times as many
-  return result.wait_for(std::chrono::duration<double>(std::min(timeout_s, kLongest_s))) ==
-         std::future_status::ready;
-}
-
 }  // namespace
 
 GraphThread::GraphThread(const Options& options, Health* health, OptimizeFunction optimize)
@@ -49,7 +51,21 @@ GraphThread::GraphThread(const Options& options, Health* health, OptimizeFunctio
 }
 
 GraphThread::~GraphThread() {
-  if (busy() && !IsReadyWithin(options_.patience_s, result_)) thread_.detach();
+  if (busy() && !IsReadyWithin(options_.patience_s)) thread_.detach();
+}
+
+bool GraphThread::IsReadyWithin(double timeout_s) {
+  const Clock::time_point end = Clock::now() + Duration(timeout_s);
+  for (;;) {
+    if (is_asked_to_stop_ && !end_of_waits_ && is_asked_to_stop_()) {
+      end_of_waits_ = Clock::now() + kPatienceOnceAsked;
+    }
+    const Clock::time_point last = std::min(end, end_of_waits_.value_or(end));
+    const Clock::time_point next =
+        is_asked_to_stop_ ? std::min(last, Clock::now() + kTimeBetweenLooks) : last;
+    if (result_.wait_until(next) == std::future_status::ready) return true;
+    if (next == last) return false;
+  }
 }
 
 void GraphThread::Start(backend::PoseGraph snapshot) {
@@ -96,7 +112,13 @@ std::optional<backend::PoseGraph> GraphThread::WaitFor(double timeout_s) {
   std::optional<backend::PoseGraph> optimized = Take(timeout_s);
   if (busy()) {
     std::ostringstream message;
-    message << "the back end has not answered within " << timeout_s << " s; going on without";
+    message << "the back end has not answered within ";
+    if (end_of_waits_) {
+      message << "the time left since the program was asked to end";
+    } else {
+      message << timeout_s << " s";
+    }
+    message << "; going on without";
     health_->Report("backend_late", stamp_s_, message.str());
     late_ = true;
     ++counts_.late;
@@ -105,7 +127,7 @@ std::optional<backend::PoseGraph> GraphThread::WaitFor(double timeout_s) {
 }
 
 std::optional<backend::PoseGraph> GraphThread::Take(double wait_s) {
-  if (!IsReadyWithin(wait_s, result_)) return std::nullopt;
+  if (!IsReadyWithin(wait_s)) return std::nullopt;
   Result result = result_.get();
   const backend::Summary& summary = result.summary;
   if (summary.termination == backend::Termination::kFailure) {

@@ -3,12 +3,14 @@
 #ifndef GMAPPING_SPA_FRONTEND_GRAPH_THREAD_H_
 #define GMAPPING_SPA_FRONTEND_GRAPH_THREAD_H_
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <future>
 #include <memory>
 #include <optional>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "backend/graph/pose_graph.h"
@@ -56,6 +58,9 @@ class GraphThread {
   // What runs for longer than patience_s is left to itself: its thread ends with it, and the
   // function is destroyed there. Otherwise the thread has ended.
   ~GraphThread();
+  // From when `is_asked` returns true, all waits together last two seconds at most: for users who
+  // want the program to end. It is called a few times a second.
+  void StopWaitingWhen(std::function<bool()> is_asked) { is_asked_to_stop_ = std::move(is_asked); }
   GraphThread(const GraphThread&) = delete;
   GraphThread& operator=(const GraphThread&) = delete;
 
@@ -91,6 +96,7 @@ class GraphThread {
 
   std::optional<backend::PoseGraph> WaitFor(double timeout_s);
   std::optional<backend::PoseGraph> Take(double wait_s);
+  bool IsReadyWithin(double timeout_s);
 
   Options options_;
   Health* health_;
@@ -100,6 +106,8 @@ class GraphThread {
   std::jthread thread_;
   int scans_since_start_ = 0;
   bool late_ = false;
+  std::function<bool()> is_asked_to_stop_;
+  std::optional<std::chrono::steady_clock::time_point> end_of_waits_;  // once it has been asked
   std::vector<RejectedClosure> rejected_closures_;
   Counts counts_;
 };

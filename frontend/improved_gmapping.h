@@ -4,7 +4,9 @@
 #define GMAPPING_SPA_FRONTEND_IMPROVED_GMAPPING_H_
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "backend/graph/pose_graph_sink.h"
@@ -70,6 +72,11 @@ class ImprovedGmapping {
   ImprovedGmapping(const Options& options,
                    std::shared_ptr<const scan_matching::ScanMatcher> matcher,
                    GraphThread::OptimizeFunction optimize);
+
+  // See GraphThread::StopWaitingWhen.
+  void StopWaitingWhen(std::function<bool()> is_asked) {
+    graph_thread_.StopWaitingWhen(std::move(is_asked));
+  }
 
   // `measured`: not deskewed. Throws std::runtime_error when the odometry leads out of the area
   // that a map can cover.

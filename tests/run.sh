@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs what is missing, builds, and runs every test.
 #   tests/run.sh          the format, a sample of clang-tidy, the release build and all tests; then the
-#                         sanitizers: short tests with ASan and UBSan, those with threads with TSan
-#   tests/run.sh STEP...  only these: format, tidy, docs, or a preset: release, dev, asan, tsan
+#                         sanitizers: short tests with ASan and UBSan, those with threads with TSan; and
+#                         two minutes of fuzzing
+#   tests/run.sh STEP...  only these: format, tidy, docs, fuzz, or a preset: release, dev, asan, tsan
 # Tests on real logs find them in $GMAPPING_SPA_DATA or ../shared/data, and are skipped elsewhere.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -12,12 +13,16 @@ experiments/install_packages.sh checks experiments
 experiments/install_packages.sh docs ||
   echo "run.sh: without Doxygen the documentation is not tested" >&2
 steps=("$@")
-[[ ${#steps[@]} -gt 0 ]] || steps=(format tidy release asan tsan)
+[[ ${#steps[@]} -gt 0 ]] || steps=(format tidy release asan tsan fuzz)
 for step in "${steps[@]}"; do
   echo "== $step"
   case $step in
     format) tests/check_format.sh ;;
     tidy) tests/check_tidy.sh ;;
+    fuzz)
+      experiments/install_packages.sh fuzz
+      tests/fuzz.sh 12  # each of ten readers
+      ;;
     docs)  # with release, a test builds them
       cmake --preset release >/dev/null
       cmake --build --preset release --target gmapping_spa_apps

@@ -175,6 +175,8 @@ void G2oReader::ReadPrior(std::string_view words) {
   Eigen::Matrix3d world_R_node = Eigen::Matrix3d::Identity();
   world_R_node.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(numbers[2]).toRotationMatrix();
   prior.information = world_R_node * prior.information * world_R_node.transpose();
+  // Symmetric to the bit, as what is written has one half of it only.
+  prior.information.triangularView<Eigen::StrictlyLower>() = prior.information.transpose();
   priors_.push_back(prior);
 }
 

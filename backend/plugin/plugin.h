@@ -3,8 +3,11 @@
 #ifndef GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_H_
 #define GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_H_
 
+#include <array>
 #include <cstddef>
+#include <cstdio>
 #include <exception>
+#include <new>
 #include <span>
 #include <vector>
 
@@ -85,6 +88,11 @@ class PluginAdapter {
       }
       report->set_outcome(report->context, static_cast<std::int32_t>(summary.termination),
                           summary.message.c_str(), summary.initial_cost, summary.final_cost);
+    } catch (const std::bad_alloc&) {
+      std::array<char, 100> message{};  // asks for no memory
+      std::snprintf(message.data(), message.size(), "out of memory for %zu nodes and %zu edges",
+                    graph->node_count, graph->edge_count);
+      Fail(message.data(), *report);
     } catch (const std::exception& error) {
       Fail(error.what(), *report);
     } catch (...) {

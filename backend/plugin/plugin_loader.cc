@@ -91,18 +91,6 @@ std::vector<std::string> PluginFoldersOfLibraryPath() {
   return folders;
 }
 
-std::string FindPlugin(const std::string& name, const std::vector<std::string>& folders) {
-  if (name.find('/') != std::string::npos) return name;
-  std::string searched;
-  for (const std::string& folder : folders) {
-    const fs::path path = fs::path(folder) / (kPrefix + name + kSuffix);
-    if (std::error_code error; fs::is_regular_file(path, error)) return path.string();
-    searched += (searched.empty() ? "" : ":") + folder;
-  }
-  throw std::runtime_error("there is no back end '" + name + "' (" + kPrefix + name + kSuffix +
-                           ") in " + searched);
-}
-
 }  // namespace
 
 std::vector<std::string> PluginSearchPath() {
@@ -122,6 +110,18 @@ std::vector<std::string> PluginSearchPath() {
   for (std::string& folder : PluginFoldersOfLibraryPath()) folders.push_back(std::move(folder));
   folders.emplace_back(GMAPPING_SPA_INSTALLED_PLUGIN_FOLDER);
   return folders;
+}
+
+std::string FindPlugin(const std::string& name, const std::vector<std::string>& folders) {
+  if (name.find('/') != std::string::npos) return name;
+  std::string searched;
+  for (const std::string& folder : folders) {
+    const fs::path path = fs::path(folder) / (kPrefix + name + kSuffix);
+    if (std::error_code error; fs::is_regular_file(path, error)) return path.string();
+    searched += (searched.empty() ? "" : ":") + folder;
+  }
+  throw std::runtime_error("there is no back end '" + name + "' (" + kPrefix + name + kSuffix +
+                           ") in " + searched);
 }
 
 std::unique_ptr<Optimizer> LoadOptimizer(const std::string& name,

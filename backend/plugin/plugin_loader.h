@@ -19,8 +19,11 @@ namespace gmapping_spa::backend {
 // find_package(gmapping_spa), the one that was configured for installation.
 std::vector<std::string> PluginSearchPath();
 
-// Makes the optimizer of the back end `name`, the first libgmapping_spa_<name>.so in `folders`; a
-// name with a '/' in it is the path of a plugin. Throws std::runtime_error with one line when there
+// The path of the back end `name`: the first libgmapping_spa_<name>.so in `folders`; a name with a
+// '/' in it is a path. Throws std::runtime_error with one line when there is none.
+std::string FindPlugin(const std::string& name, const std::vector<std::string>& folders);
+
+// Makes the optimizer of that back end. Throws std::runtime_error with one line when there
 // is none, when it is no plugin, has another ABI version or cannot make an optimizer.
 // What the plugin's optimizer throws becomes a failed Summary. Plugins stay loaded until the
 // process ends.

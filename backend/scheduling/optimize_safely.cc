@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <exception>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -95,6 +96,9 @@ Summary OptimizeSafely(const Options& options, Optimizer* optimizer, PoseGraph* 
   try {
     optimizer->CheckOptions(options);
     summary = OptimizeFromStart(options, index, before, initial_cost, optimizer, graph);
+  } catch (const std::bad_alloc&) {
+    summary.message = "out of memory for " + std::to_string(graph->nodes.size()) + " nodes and " +
+                      std::to_string(graph->edges.size()) + " edges";
   } catch (const std::exception& error) {
     summary.message = std::string("it threw: ") + error.what();
   } catch (...) {

@@ -4,9 +4,11 @@
 #include <gflags/gflags.h>
 #include <glog/logging.h>
 #include <malloc.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -126,6 +128,12 @@ int RunApp(int argc, char** argv, const char* usage, const FlagGroups& flag_grou
     status = 1;
   }
   google::ShutdownGoogleLogging();
+  // A back end may still be at work in a thread of its own, which must not meet destroyed objects.
+  if (ReceivedSignal() != 0) {
+    std::cout.flush();
+    std::fflush(nullptr);
+    _exit(status);
+  }
   return status;
 }
 

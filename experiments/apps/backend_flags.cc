@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "backend/plugin/plugin_loader.h"
+#include "backend/plugin/process_optimizer.h"
 #include "backend/scheduling/optimize.h"
 
 namespace {
@@ -18,6 +19,12 @@ const gmapping_spa::backend::Options kOptions;
 DEFINE_string(backend, "spa",
               "Back end that optimizes the pose graph: spa, ceres, none, the name of another one "
               "in $GMAPPING_SPA_PLUGIN_PATH, or the path of its shared library.");
+DEFINE_double(
+    backend_timeout_s, 0.0,
+    "Longest wall time of one call of the back end in s, above 0: it runs in a process of "
+    "its own, which is killed then. The optimization has failed then, or when the process "
+    "crashes; the program goes on. inf: no limit. 0: it runs in the program itself, which "
+    "ends with it when it crashes and cannot stop it.");
 DEFINE_string(init, gmapping_spa::backend::InitializationName(kOptions.initialization),
               "Initialization of the poses before an optimization: auto (the back end chooses), "
               "keep (the poses given), odometry (along successive nodes), spanning_tree or chordal "
@@ -154,14 +161,20 @@ void AddBackendSettings(backend::Options* options) {
   }
 }
 
+std::unique_ptr<backend::Optimizer> LoadBackend() {
+  if (!(FLAGS_backend_timeout_s >= 0)) throw std::runtime_error("--backend_timeout_s is negative");
+  if (FLAGS_backend_timeout_s == 0) return backend::LoadOptimizer(FLAGS_backend);
+  return std::make_unique<backend::ProcessOptimizer>(FLAGS_backend, FLAGS_backend_timeout_s);
+}
+
 }  // namespace
 
 FlagGroups BackendFlagGroups() {
   const FlagGroups common = {
       {"backend",
        "Back end",
-       {"backend", "backend_settings", "init", "max_iterations", "cost_tolerance",
-        "max_solver_time_s", "loss", "loss_scale", "gnc"}}};
+       {"backend", "backend_settings", "backend_timeout_s", "init", "max_iterations",
+        "cost_tolerance", "max_solver_time_s", "loss", "loss_scale", "gnc"}}};
   return Join({common, SettingFlagGroups()});
 }
 
@@ -170,7 +183,7 @@ std::string BackendFromFlags() { return FLAGS_backend; }
 bool GncFromFlags() { return FLAGS_gnc; }
 
 std::unique_ptr<backend::Optimizer> LoadOptimizerFromFlags() {
-  std::unique_ptr<backend::Optimizer> optimizer = backend::LoadOptimizer(FLAGS_backend);
+  std::unique_ptr<backend::Optimizer> optimizer = LoadBackend();
   LeaveOutMixtureWhereUnsupported(*optimizer);
   backend::CheckOptions(OptionsFromFlags(), *optimizer);
   WarnOfFlagsWithoutEffect();

@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "backend/graph/trajectory_io.h"
+#include "backend/out_of_memory.h"
 #include "experiments/apps/app.h"
 #include "experiments/apps/error_picture.h"
 #include "experiments/apps/flag_checks.h"
 #include "experiments/apps/json.h"
+#include "experiments/apps/staging_folder.h"
 #include "experiments/apps/trajectory_files.h"
 #include "experiments/metrics/association.h"
 #include "experiments/metrics/best_alignment.h"
@@ -82,6 +84,11 @@ void CheckFlags() {
   } else if (FLAGS_truth_trajectory.empty()) {
     throw std::runtime_error("--truth needs --truth_trajectory=FILE");
   }
+}
+
+map::TrinaryMap ReadMapFile(const std::string& path) {
+  CompleteSetOf(path);
+  return backend::WithMemory("while reading " + path, [&] { return map::ReadMap(path); });
 }
 
 // How the map lies over the truth: by all poses together, as --align says, and by single ones.
@@ -161,7 +168,7 @@ Json ToJson(const std::vector<metrics::ObjectErrors>& objects) {
 }
 
 Json AgainstTruth(const map::TrinaryMap& map) {
-  const map::TrinaryMap truth = map::ReadMap(FLAGS_truth);
+  const map::TrinaryMap truth = ReadMapFile(FLAGS_truth);
   const TrajectoryFile true_trajectory = ReadTrajectoryFile(FLAGS_truth_trajectory);
   const backend::Trajectory& true_poses = true_trajectory.poses;
   const Alignments alignments = AlignmentsFromFlags(true_trajectory);
@@ -209,14 +216,12 @@ Json AgainstTruth(const map::TrinaryMap& map) {
        "cell; blur and shift along the normals of straight surface; null: nothing to measure"}};
   if (!FLAGS_objects.empty()) {
     json["objects"] = ToJson(
-        metrics::FindObjectErrors(truth, map::ReadMap(FLAGS_objects), fitted, FLAGS_tolerance));
+        metrics::FindObjectErrors(truth, ReadMapFile(FLAGS_objects), fitted, FLAGS_tolerance));
   }
   return json;
 }
 
-void Run() {
-  CheckFlags();
-  const map::TrinaryMap map = map::ReadMap(FLAGS_map);
+void Compare(const map::TrinaryMap& map) {
   const metrics::MapStructure structure = metrics::MeasureStructure(map);
   Json json = {{"map",
                 {{"resolution_m", map.resolution_m},
@@ -225,6 +230,14 @@ void Run() {
                  {"corners", structure.corners}}}};
   if (!FLAGS_truth.empty()) json.update(AgainstTruth(map));
   std::cout << json.dump(2) << '\n';
+}
+
+void Run() {
+  CheckFlags();
+  const map::TrinaryMap map = ReadMapFile(FLAGS_map);
+  backend::WithMemory("while measuring a map of " + std::to_string(map.width) + " x " +
+                          std::to_string(map.height) + " cells",
+                      [&] { Compare(map); });
 }
 
 FlagGroups AllFlagGroups() {

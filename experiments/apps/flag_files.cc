@@ -7,8 +7,10 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
+#include "backend/text.h"
 #include "experiments/apps/renamed_flags.h"
 
 namespace gmapping_spa::apps {
@@ -36,13 +38,15 @@ class Reader {
 
  private:
   void ReadFile(const std::string& place, const std::string& path) {
-    if (!std::filesystem::is_regular_file(path)) {
-      throw std::runtime_error(place + ": expected the path of a file, found '" + path + "'");
+    std::error_code ignored;  // a name that is too long is none either
+    if (!std::filesystem::is_regular_file(path, ignored)) {
+      throw std::runtime_error(place + ": expected the path of a file, found '" +
+                               backend::Printable(path) + "'");
     }
     const std::string file = std::filesystem::canonical(path);
     if (!open_.insert(file).second) {
       throw std::runtime_error(place + ": expected a file that does not name itself, found '" +
-                               path + "'");
+                               backend::Printable(path) + "'");
     }
     std::ifstream in(path);
     std::string line;
@@ -53,8 +57,9 @@ class Reader {
       RefuseFormerName(here, WithoutDashes(line));
       const std::optional<FlagSetting> flag = ParseFlag(here, WithoutDashes(line));
       if (!flag) {
-        throw std::runtime_error(
-            here + ": expected --flag=value with a flag of this program, found '" + line + "'");
+        throw std::runtime_error(here +
+                                 ": expected --flag=value with a flag of this program, found '" +
+                                 backend::Printable(line) + "'");
       }
       if (flag->name == "flagfile") {
         Read(here, flag->value);

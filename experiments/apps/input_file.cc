@@ -20,6 +20,8 @@
 #include <system_error>
 #include <vector>
 
+#include "experiments/apps/staging_folder.h"
+
 namespace gmapping_spa::apps {
 namespace {
 
@@ -27,6 +29,7 @@ constexpr std::size_t kBufferBytes = 1 << 16;
 
 // Throws unless `path` is a file that can be read.
 std::ifstream OpenFile(const std::string& path) {
+  CompleteSetOf(path);
   // A directory opens like a file, and fails only when it is read.
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {

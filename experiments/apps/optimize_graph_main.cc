@@ -2,17 +2,23 @@
 // Optimizes a pose graph with any back end and prints the summary as JSON.
 #include <gflags/gflags.h>
 #include <glog/logging.h>
+#include <sys/resource.h>
 
 #include <algorithm>
-#include <ctime>
+#include <cstdint>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
 #include "backend/graph/g2o_io.h"
+#include "backend/out_of_memory.h"
 #include "backend/plugin/plugin_loader.h"
 #include "backend/scheduling/certify_result.h"
 #include "backend/scheduling/optimize.h"
@@ -22,6 +28,8 @@
 #include "experiments/apps/covariance_table.h"
 #include "experiments/apps/graph_picture.h"
 #include "experiments/apps/input_file.h"
+#include "experiments/apps/interruptible.h"
+#include "experiments/apps/optimization_record.h"
 #include "experiments/apps/output_files.h"
 
 DEFINE_string(input, "", "File of the pose graph, .g2o or TORO's .graph, plain or gzipped.");
@@ -81,65 +89,57 @@ void PrintTable(const Summary& summary) {
   }
 }
 
-Json ToJson(const PoseGraph& graph, const backend::G2oRemarks& remarks, const Summary& summary,
-            double cpu_s) {
-  Json iterations = Json::array();
-  for (const backend::IterationRecord& record : summary.iterations) {
-    iterations.push_back({{"cost", record.cost},
-                          {"step_norm", record.step_norm},
-                          {"damping", record.damping},
-                          {"linear_solver_s", record.linear_solver_s},
-                          {"total_s", record.total_s}});
-  }
-  Json rejected = Json::array();
-  const auto closures = std::ranges::count(graph.edges, backend::EdgeKind::kLoopClosure,
-                                           [](const backend::Edge& edge) { return edge.kind; });
-  for (const std::size_t k : backend::RejectedClosures(graph.edges, summary)) {
-    rejected.push_back(
-        {{"i", graph.edges[k].i}, {"j", graph.edges[k].j}, {"weight", summary.edge_weights[k]}});
-  }
-  const backend::Options options = OptionsFromFlags();
-  return {{"input", FLAGS_input},
-          {"nodes", graph.nodes.size()},
-          {"edges", graph.edges.size()},
-          {"input_remarks", remarks},
-          {"backend", BackendFromFlags()},
-          {"init", backend::InitializationName(options.initialization)},
-          {"loss", backend::LossKindName(options.loss.kind)},
-          {"loss_scale", options.loss.scale},
-          {"settings", options.settings},
-          {"termination", backend::TerminationName(summary.termination)},
-          {"message", summary.message},
-          {"initial_cost", summary.initial_cost},
-          {"final_cost", summary.final_cost},
-          {"loop_closures",
-           {{"count", closures},
-            {"rejected", rejected.size()},
-            {"variance_factor", summary.variance_factor},
-            {"rejected_edges", rejected}}},
-          {"cpu_s", cpu_s},
-          {"iterations", iterations},
-          {"convention",
-           "cost: 1/2 sum rho(e' Omega e), e = (R_i' (t_j - t_i) - t_ij, wrap(theta_j - theta_i - "
-           "theta_ij)), recomputed apart from the back end; the loss rho is for loop closures, "
-           "edges between ids that are not neighbors in ascending order"}};
+std::string NameOf(const std::string& path) {
+  std::string name = fs::path(path).filename().string();
+  if (name.empty()) throw std::runtime_error(path + ": expected the name of a file");
+  return name;
 }
 
-// A file that appears whole or not at all.
-class OutputFile {
+// Files that appear whole or not at all: those of one folder together.
+class Outputs {
  public:
-  explicit OutputFile(const std::string& path)
-      : name_(fs::path(path).filename().string()),
-        files_(fs::path(path).has_parent_path() ? fs::path(path).parent_path().string() : ".") {
-    if (name_.empty()) throw std::runtime_error(path + ": expected the name of a file");
+  // The set of the folder of a file that will be written. An empty path: none.
+  void Add(const std::string& path) {
+    if (path.empty()) return;
+    NameOf(path);
+    sets_.try_emplace(FolderOf(path), FolderOf(path));
   }
-  OutputFiles& files() { return files_; }
-  const std::string& name() const { return name_; }
+  OutputFiles& Of(const std::string& path) { return sets_.at(FolderOf(path)); }
+  void Commit() {
+    for (auto& [folder, files] : sets_) files.Commit();
+  }
 
  private:
-  std::string name_;
-  OutputFiles files_;
+  static std::string FolderOf(const std::string& path) {
+    const fs::path folder = fs::path(path).parent_path();
+    return folder.empty() ? "." : folder.lexically_normal().string();
+  }
+  std::map<std::string, OutputFiles> sets_;
 };
+
+// Of this process, and of a back end's own once it has ended.
+std::int64_t CpuTime_us() {
+  std::int64_t time_us = 0;
+  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage{};
+    getrusage(who, &usage);
+    for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
+      time_us += 1'000'000 * std::int64_t{time.tv_sec} + time.tv_usec;
+    }
+  }
+  return time_us;
+}
+
+using Optimized = std::tuple<PoseGraph, Summary>;
+
+Optimized Optimize(std::shared_ptr<backend::Optimizer> optimizer, PoseGraph graph) {
+  return RunInterruptibly<Optimized>(
+      [optimizer = std::move(optimizer), graph = std::move(graph)]() mutable {
+        Summary summary = OptimizeAsFlagsSay(optimizer.get(), &graph);
+        return Optimized{std::move(graph), std::move(summary)};
+      },
+      "interrupted: the back end " + BackendFromFlags() + " was still at work; nothing is written");
+}
 
 void Run() {
   if (FLAGS_list_backends) {
@@ -149,27 +149,31 @@ void Run() {
   if (FLAGS_input.empty()) throw std::runtime_error("--input=FILE is missing");
   OptionsFromFlags();  // mistakes in flags come before work
   const CovarianceChoice choice = ParseCovarianceChoice("--covariances_of", FLAGS_covariances_of);
-  std::optional<OutputFile> output, png, covariances;
-  if (!FLAGS_output.empty()) output.emplace(FLAGS_output);
-  if (!FLAGS_png.empty()) png.emplace(FLAGS_png);
-  if (!FLAGS_covariances.empty()) covariances.emplace(FLAGS_covariances);
-  const std::unique_ptr<backend::Optimizer> optimizer = LoadOptimizerFromFlags();
+  Outputs outputs;
+  for (const std::string& path : {FLAGS_output, FLAGS_png, FLAGS_covariances}) outputs.Add(path);
+  const std::shared_ptr<backend::Optimizer> optimizer = LoadOptimizerFromFlags();
   const std::unique_ptr<backend::Optimizer> minimizer =
       FLAGS_certify ? backend::LoadOptimizer("spa") : nullptr;
   backend::G2oRemarks remarks;
-  PoseGraph graph =
-      backend::ReadG2o(*OpenInput(FLAGS_input), FLAGS_input, {.strict = FLAGS_strict}, &remarks);
+  PoseGraph graph = backend::WithMemory("while reading " + FLAGS_input, [&] {
+    return backend::ReadG2o(*OpenInput(FLAGS_input), FLAGS_input, {.strict = FLAGS_strict},
+                            &remarks);
+  });
   for (const auto& [remark, count] : remarks) {
     LOG(WARNING) << FLAGS_input << ": " << remark << " (" << count << ")";
   }
   if (graph.nodes.empty()) LOG(WARNING) << FLAGS_input << ": holds no vertices and no edges";
   ThrowIfInterrupted();
   std::optional<PoseGraph> before;
-  if (png) before = graph;
+  if (!FLAGS_png.empty()) before = graph;
 
-  const std::clock_t start = std::clock();
-  Summary summary = OptimizeAsFlagsSay(optimizer.get(), &graph);
-  const double cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  const std::int64_t start_us = CpuTime_us();
+  Summary summary;
+  std::tie(graph, summary) =
+      backend::WithMemory("while optimizing a graph of " + std::to_string(graph.nodes.size()) +
+                              " nodes and " + std::to_string(graph.edges.size()) + " edges",
+                          [&] { return Optimize(optimizer, std::move(graph)); });
+  const double cpu_s = 1e-6 * static_cast<double>(CpuTime_us() - start_us);
   if (summary.termination == backend::Termination::kFailure) {
     throw std::runtime_error("the back end " + BackendFromFlags() + " failed: " + summary.message);
   }
@@ -184,27 +188,29 @@ void Run() {
     ThrowIfInterrupted();
   }
   if (FLAGS_verbose) PrintTable(summary);
-  if (output) {
-    output->files().Write(output->name(),
-                          [&](std::ostream& out) { backend::WriteG2o(graph, out); });
+  if (!FLAGS_output.empty()) {
+    outputs.Of(FLAGS_output).Write(NameOf(FLAGS_output), [&](std::ostream& out) {
+      backend::WriteG2o(graph, out);
+    });
   }
-  Json summary_json = ToJson(graph, remarks, summary, cpu_s);
-  if (covariances) {
+  Json record = OptimizationRecord(FLAGS_input, graph, remarks, summary, cpu_s);
+  if (!FLAGS_covariances.empty()) {
     const CovarianceTable table =
         MakeCovarianceTable(graph, choice, OptionsFromFlags().loss, summary, optimizer.get());
-    covariances->files().Write(covariances->name(),
-                               [&](std::ostream& out) { WriteCovariances(table, out); });
-    summary_json["covariances"] = ToJson(table);
+    outputs.Of(FLAGS_covariances).Write(NameOf(FLAGS_covariances), [&](std::ostream& out) {
+      WriteCovariances(table, out);
+    });
+    record["covariances"] = ToJson(table);
   }
-  if (png) WriteGraphPicture(*before, graph, png->files().TemporaryPath(png->name()));
-  if (output) output->files().Commit();
-  if (png) png->files().Commit();
-  if (covariances) covariances->files().Commit();
+  if (before) {
+    WriteGraphPicture(*before, graph, outputs.Of(FLAGS_png).TemporaryPath(NameOf(FLAGS_png)));
+  }
+  outputs.Commit();
   if (certified) {
-    summary_json["certificate"] = CertificateRecord(*certified);
-    summary_json["certificate"]["cpu_s"] = certificate_cpu_s;
+    record["certificate"] = CertificateRecord(*certified);
+    record["certificate"]["cpu_s"] = certificate_cpu_s;
   }
-  std::cout << summary_json.dump(2) << '\n';
+  std::cout << record.dump(2) << '\n';
   if (certified && !certified->proved()) throw NegativeAnswer(certified->message);
 }
 

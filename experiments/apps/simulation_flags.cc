@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "backend/graph/trajectory_io.h"
+#include "backend/out_of_memory.h"
 #include "experiments/apps/flag_checks.h"
 #include "experiments/simulation/truth_map.h"
 #include "frontend/map/map_server_io.h"
@@ -210,6 +211,42 @@ simulation::SimulationOptions OptionsFromFlags(std::uint64_t seed) {
   return options;
 }
 
+SimulationSetup SetupFromFlags(std::uint64_t seed) {
+  if (FLAGS_world.empty()) throw std::runtime_error("--world=FILE is missing");
+  simulation::SimulationOptions options = OptionsFromFlags(seed);
+  const double truth_resolution_m =
+      InRange("truth_resolution", FLAGS_truth_resolution, 0.0, 1000.0);
+  const std::string path =
+      FLAGS_path.empty()
+          ? std::filesystem::path(FLAGS_world).replace_extension("path.yaml").string()
+          : FLAGS_path;
+  std::map<std::string, std::string> input_files = {{"world", FLAGS_world}, {"path", path}};
+  if (!FLAGS_obstacles.empty()) input_files["obstacles"] = FLAGS_obstacles;
+  simulation::Scene scene =
+      simulation::Scene::Read(FLAGS_world, FLAGS_obstacles, FLAGS_walking_pedestrian);
+  std::vector<simulation::WayPoints> tours = simulation::ReadTours(path);
+  simulation::WayPoints way_points = std::move(tours.front());
+  options.carried_to.assign(std::next(tours.begin()), tours.end());
+  const auto truth_of = [&](const simulation::World& world) {
+    const map::TrinaryMap& raster = world.raster();
+    return backend::WithMemory(
+        "while drawing the true map: " + backend::MemoryOfCells(raster.width, raster.height, 3),
+        [&] {
+          return simulation::TruthMap(
+              world, way_points.front(),
+              truth_resolution_m > 0.0 ? truth_resolution_m : raster.resolution_m);
+        });
+  };
+  map::TrinaryMap truth = truth_of(scene.world);
+  std::optional<map::TrinaryMap> obstacles;
+  if (!FLAGS_obstacles.empty()) {
+    obstacles =
+        simulation::Added(truth, truth_of(simulation::Scene::Read(FLAGS_world, "", false).world));
+  }
+  return {std::move(input_files), std::move(scene),    std::move(way_points), options,
+          std::move(truth),       std::move(obstacles)};
+}
+
 }  // namespace
 
 FlagGroups SimulationFlagGroups() {
@@ -230,34 +267,8 @@ FlagGroups SimulationFlagGroups() {
 }
 
 SimulationSetup SimulationFromFlags(std::uint64_t seed) {
-  if (FLAGS_world.empty()) throw std::runtime_error("--world=FILE is missing");
-  simulation::SimulationOptions options = OptionsFromFlags(seed);
-  const double truth_resolution_m =
-      InRange("truth_resolution", FLAGS_truth_resolution, 0.0, 1000.0);
-  const std::string path =
-      FLAGS_path.empty()
-          ? std::filesystem::path(FLAGS_world).replace_extension("path.yaml").string()
-          : FLAGS_path;
-  std::map<std::string, std::string> input_files = {{"world", FLAGS_world}, {"path", path}};
-  if (!FLAGS_obstacles.empty()) input_files["obstacles"] = FLAGS_obstacles;
-  simulation::Scene scene =
-      simulation::Scene::Read(FLAGS_world, FLAGS_obstacles, FLAGS_walking_pedestrian);
-  std::vector<simulation::WayPoints> tours = simulation::ReadTours(path);
-  simulation::WayPoints way_points = std::move(tours.front());
-  options.carried_to.assign(std::next(tours.begin()), tours.end());
-  const auto truth_of = [&](const simulation::World& world) {
-    return simulation::TruthMap(
-        world, way_points.front(),
-        truth_resolution_m > 0.0 ? truth_resolution_m : world.raster().resolution_m);
-  };
-  map::TrinaryMap truth = truth_of(scene.world);
-  std::optional<map::TrinaryMap> obstacles;
-  if (!FLAGS_obstacles.empty()) {
-    obstacles =
-        simulation::Added(truth, truth_of(simulation::Scene::Read(FLAGS_world, "", false).world));
-  }
-  return {std::move(input_files), std::move(scene),    std::move(way_points), options,
-          std::move(truth),       std::move(obstacles)};
+  return backend::WithMemory("while building the world of " + FLAGS_world,
+                             [&] { return SetupFromFlags(seed); });
 }
 
 void WriteTruth(const SimulationSetup& setup, const simulation::SimulationSummary& summary,

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 #include "backend/graph/g2o_io.h"
 #include "backend/graph/trajectory_io.h"
+#include "backend/out_of_memory.h"
 #include "experiments/apps/app.h"
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/closure_table.h"
@@ -23,15 +25,31 @@ SlamRun::SlamRun() : SlamRun(SlamOptionsFromFlags()) {}
 SlamRun::SlamRun(const SlamOptions& options)
     : occupied_threshold_(options.occupied_threshold),
       gmapping_(frontend::GmappingOptions(options), frontend::MakeScanMatcher(options),
-                frontend::BindOptimizer(options, LoadOptimizerFromFlags())) {}
+                frontend::BindOptimizer(options, LoadOptimizerFromFlags())) {
+  gmapping_.StopWaitingWhen([] { return ReceivedSignal() != 0; });
+}
 
-void SlamRun::AddScan(const sensor::LaserScan& scan) { gmapping_.AddScan(scan); }
+void SlamRun::AddScan(const sensor::LaserScan& scan) {
+  backend::WithMemory("at scan " + std::to_string(counts().scans + 1) + " with the maps of " +
+                          std::to_string(gmapping_.filter().particles().size()) + " particles",
+                      [&] { gmapping_.AddScan(scan); });
+}
 
 bool SlamRun::Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
                      OutputFiles* files) {
+  return backend::WithMemory(
+      "while making the results of " + std::to_string(counts().scans) + " scans",
+      [&] { return WriteResults(input, log_counts, files); });
+}
+
+bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
+                           OutputFiles* files) {
   stopwatch_.Lap("processing_s");
-  const int signal = ReceivedSignal();
+  const std::int64_t late = gmapping_.graph_thread().counts().late;
+  int signal = ReceivedSignal();
   const frontend::SlamResult estimate = signal == 0 ? gmapping_.Finish() : gmapping_.FinishEarly();
+  // A signal during the final optimization may have cut it short.
+  if (gmapping_.graph_thread().counts().late > late) signal = ReceivedSignal();
   stopwatch_.Lap("finish_s");
   const backend::Trajectory& trajectory = estimate.trajectory;
   const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, occupied_threshold_);

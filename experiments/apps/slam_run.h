@@ -36,6 +36,8 @@ class SlamRun {
 
  private:
   explicit SlamRun(const SlamOptions& options);
+  bool WriteResults(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
+                    OutputFiles* files);
 
   double occupied_threshold_;
   frontend::ImprovedGmapping gmapping_;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "backend/out_of_memory.h"
 #include "experiments/simulation/drawing.h"
 #include "frontend/map/map_server_io.h"
 #include "frontend/map/yaml_file.h"
@@ -29,7 +30,12 @@ TrinaryMap EmptyRaster(const map::YamlFile& yaml) {
   }
   raster.width = static_cast<int>(std::lround(width));
   raster.height = static_cast<int>(std::lround(height));
-  raster.cells.assign(static_cast<std::size_t>(raster.width) * raster.height, CellState::kFree);
+  backend::WithMemory("while reading " + yaml.path() + ": " +
+                          backend::MemoryOfCells(raster.width, raster.height, 1),
+                      [&] {
+                        raster.cells.assign(static_cast<std::size_t>(raster.width) * raster.height,
+                                            CellState::kFree);
+                      });
   return raster;
 }
 
@@ -67,7 +73,11 @@ std::vector<std::uint8_t> Clearances(const TrinaryMap& raster) {
 
 }  // namespace
 
-World::World(TrinaryMap raster) : raster_(std::move(raster)), clearance_(Clearances(raster_)) {}
+World::World(TrinaryMap raster)
+    : raster_(std::move(raster)),
+      clearance_(backend::WithMemory(
+          "while building the world: " + backend::MemoryOfCells(raster_.width, raster_.height, 2),
+          [this] { return Clearances(raster_); })) {}
 
 TrinaryMap ReadWorldRaster(const std::string& path) {
   const map::YamlFile yaml(path);

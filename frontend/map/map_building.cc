@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/map/map_building.h"
 
+#include "backend/out_of_memory.h"
+
 #include <algorithm>
 
 namespace gmapping_spa::map {
@@ -30,7 +32,10 @@ TrinaryMap BuildTrinaryMap(const OccupancyGrid& grid, double occupied_threshold)
   map.resolution_m = grid.resolution_m();
   map.origin_x_m = extent.min.x * map.resolution_m;
   map.origin_y_m = extent.min.y * map.resolution_m;
-  map.cells.resize(static_cast<std::size_t>(map.width) * map.height, CellState::kUnknown);
+  backend::WithMemory(
+      "while drawing the map: " + backend::MemoryOfCells(map.width, map.height, 1), [&] {
+        map.cells.resize(static_cast<std::size_t>(map.width) * map.height, CellState::kUnknown);
+      });
   for (int row = 0; row < map.height; ++row) {
     for (int column = 0; column < map.width; ++column) {
       const Cell& cell = grid.cell({extent.min.x + column, extent.min.y + row});

@@ -10,7 +10,9 @@
 #include <memory>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
+#include "backend/out_of_memory.h"
 #include "backend/text.h"
 #include "frontend/map/yaml_file.h"
 
@@ -33,14 +35,18 @@ constexpr double kFarthestOrigin_m = 1e6;
 constexpr std::uint8_t kFreePixel = 254, kOccupiedPixel = 0, kUnknownPixel = 205;
 
 [[noreturn]] void Fail(const std::string& path, const std::string& message) {
-  throw std::runtime_error(path + ": " + message);
+  throw std::runtime_error(backend::Printable(path + ": " + message));
 }
 
 std::string ReadBytes(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream bytes;
-  if (!file || !(bytes << file.rdbuf())) Fail(path, "expected an image, found nothing to read");
-  return std::move(bytes).str();
+  bytes.exceptions(std::ios::failbit);  // else want of memory passes for a file that is empty
+  try {
+    if (file && bytes << file.rdbuf()) return std::move(bytes).str();
+  } catch (const std::ios::failure&) {
+  }
+  Fail(path, "expected an image, found nothing to read");
 }
 
 // One number of a PGM or PPM header, after blanks and comments.
@@ -72,6 +78,36 @@ void CheckPnm(const std::string& path, const std::string& bytes) {
   }
 }
 
+// Four bytes of a PNG file, the most significant first.
+std::size_t BigEndian(const std::string& bytes, std::size_t position) {
+  std::size_t number = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    number = number << 8 | static_cast<unsigned char>(bytes.at(position + k));
+  }
+  return number;
+}
+
+// A few bytes must not make stb ask for gigabytes: neither a header of more pixels than the file
+// can hold (deflate makes 1032 bytes of one at most, https://zlib.net/zlib_tech.html), nor a chunk
+// of more bytes than the file has.
+void CheckPng(const std::string& path, const std::string& bytes, std::int64_t pixels) {
+  constexpr std::size_t kBitDepth = 24;  // its place in the header
+  const std::int64_t bits = bytes.size() > kBitDepth ? bytes[kBitDepth] : 0;
+  if (pixels * bits / 8 / 1032 > static_cast<std::int64_t>(bytes.size())) {
+    Fail(path, "expected a file as large as its " + std::to_string(pixels) +
+                   " pixels can be packed into, found " + std::to_string(bytes.size()) + " bytes");
+  }
+  constexpr std::size_t kSignature = 8, kOverhead = 12;  // of a chunk: length, type, checksum
+  for (std::size_t at = kSignature; at + kOverhead <= bytes.size();) {
+    const std::size_t size = BigEndian(bytes, at);
+    if (size > bytes.size() - at - kOverhead) {
+      Fail(path, "expected an intact image, found: a chunk of " + std::to_string(size) +
+                     " bytes beyond the end of the file");
+    }
+    at += kOverhead + size;
+  }
+}
+
 struct Image {
   int width, height, channels;
   std::unique_ptr<stbi_uc, void (*)(void*)> pixels;  // row 0 at the top
@@ -90,7 +126,8 @@ Image ReadImage(const std::string& path) {
     Fail(path, "expected 1 to " + std::to_string(kMaxMapCells) + " pixels, found " +
                    std::to_string(width) + " x " + std::to_string(height));
   }
-  if (bytes[0] == 'P') CheckPnm(path, bytes);
+  const std::int64_t pixels = static_cast<std::int64_t>(width) * height;
+  bytes[0] == 'P' ? CheckPnm(path, bytes) : CheckPng(path, bytes, pixels);
   // map_server sees grey with alpha as RGBA.
   if (channels == 2) channels = 4;
   Image image{
@@ -98,6 +135,10 @@ Image ReadImage(const std::string& path) {
       height,
       channels,
       {stbi_load_from_memory(data, size, &width, &height, nullptr, channels), stbi_image_free}};
+  if (!image.pixels && std::string_view(stbi_failure_reason()) == "outofmem") {
+    throw backend::OutOfMemory("out of memory while reading " + path + ": " +
+                               backend::MemoryOfCells(width, height, channels));
+  }
   if (!image.pixels) {
     Fail(path, std::string("expected an intact image, found: ") + stbi_failure_reason());
   }
@@ -168,7 +209,9 @@ TrinaryMap ReadMap(const std::string& yaml_path) {
   const Image image = ReadImage(image_path.string());
   map.width = image.width;
   map.height = image.height;
-  map.cells.resize(static_cast<std::size_t>(map.width) * map.height);
+  backend::WithMemory("while reading " + yaml_path + ": " +
+                          backend::MemoryOfCells(map.width, map.height, 1 + image.channels),
+                      [&] { map.cells.resize(static_cast<std::size_t>(map.width) * map.height); });
   const stbi_uc* pixel = image.pixels.get();
   for (int row = map.height - 1; row >= 0; --row) {
     for (int column = 0; column < map.width; ++column) {

@@ -7,13 +7,15 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "backend/text.h"
+
 namespace gmapping_spa::map {
 namespace {
 
 [[noreturn]] void FailAt(const std::string& path, const YAML::Mark& mark,
                          const std::string& message) {
   throw std::runtime_error(path + (mark.is_null() ? "" : ":" + std::to_string(mark.line + 1)) +
-                           ": " + message);
+                           ": " + backend::Printable(message));
 }
 
 // What stands at the node, short enough for a message of one line.

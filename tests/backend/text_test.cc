@@ -84,5 +84,9 @@ TEST(Text, FixedTextHasAsManyDecimalsAsAskedFor) {
   EXPECT_EQ(FixedText(std::numeric_limits<double>::quiet_NaN(), 2), "nan");
 }
 
+TEST(Printable, HasNoControlCharacters) {
+  EXPECT_EQ(Printable("a\nb\x1f\x7f c\xc3\xa9"), "a?b?? c\xc3\xa9");
+}
+
 }  // namespace
 }  // namespace gmapping_spa::backend

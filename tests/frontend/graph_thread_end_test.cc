@@ -3,6 +3,7 @@
 // there any more. What it refuses is here too.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <future>
 #include <latch>
@@ -91,6 +92,26 @@ TEST_F(GraphThreadEnd, LeavesWhatHangsToItself) {
   thread.reset();
   // The destructor has returned while the optimization still hangs.
   EXPECT_FALSE(IsReady(ended_));
+  gate_->opened.count_down();
+  ended_.wait();
+}
+
+TEST_F(GraphThreadEnd, WaitsForWhatHangsNoLongerThanSecondsOnceItIsAsked) {
+  std::unique_ptr<GraphThread> thread = MakeThread(kForEver);
+  std::atomic<bool> asked = false;
+  thread->StopWaitingWhen([&] { return asked.load(); });
+  thread->Start({});
+  gate_->entered.wait();
+  const std::future<void> destroyed = std::async(std::launch::async, [&] {
+    EXPECT_FALSE(thread->Finish());
+    EXPECT_FALSE(thread->Run({}));
+    thread.reset();
+  });
+  EXPECT_EQ(destroyed.wait_for(std::chrono::milliseconds(300)), std::future_status::timeout);
+  const auto start = std::chrono::steady_clock::now();
+  asked = true;
+  destroyed.wait();
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
   gate_->opened.count_down();
   ended_.wait();
 }

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Back ends that break one rule each, chosen by a macro: what a loader has to live with.
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 
@@ -13,11 +17,24 @@ class Misbehaving : public Optimizer {
   Misbehaving() {
 #if defined(THROWING_FACTORY)
     throw std::runtime_error("no licence found");
+#elif defined(CRASHING_FACTORY)
+    std::abort();
 #endif
   }
   Summary Optimize(const Options&, std::span<const Edge>, std::span<Node> nodes) override {
 #if defined(THROWING)
     throw std::runtime_error("out of cheese");
+#elif defined(HANGING)
+    for (;;) pause();
+#elif defined(CRASHING)
+    std::signal(SIGSEGV, SIG_DFL);  // not that of a sanitizer
+    std::raise(SIGSEGV);
+#elif defined(EXITING)
+    std::exit(3);
+#elif defined(BABBLING)
+    for (int descriptor = 3; descriptor < 10; ++descriptor) {
+      if (write(descriptor, "no packet at all, whatever it is", 32) < 0) continue;
+    }
 #endif
     for (Node& node : nodes) node.world_T_node.x = std::numeric_limits<double>::quiet_NaN();
     Summary summary;

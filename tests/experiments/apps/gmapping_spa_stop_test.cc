@@ -2,53 +2,28 @@
 // What gmapping_spa leaves behind when it is stopped or fails.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "backend/graph/trajectory_io.h"
 #include "tests/experiments/apps/gmapping_spa_tour.h"
+#include "tests/experiments/apps/signal_command.h"
 
 namespace gmapping_spa::apps {
 namespace {
 
 using ::testing::SizeIs;
 
-// Starts the program on work for minutes, waits until it has made its output folder, so that it is
-// past its start, and sends the signal. Returns the exit status.
-int StatusAfterSignal(std::vector<std::string> command, const std::string& output_dir, int signal) {
-  std::vector<char*> arguments;
-  for (std::string& word : command) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  const pid_t child = fork();
-  if (child == 0) {
-    if (std::freopen("/dev/null", "w", stderr) == nullptr) _exit(126);
-    execv(arguments[0], arguments.data());
-    _exit(127);
-  }
-  while (!std::filesystem::exists(output_dir) && waitpid(child, nullptr, WNOHANG) == 0) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));  // into the middle of the log
-  kill(child, signal);
-  int status = 0;
-  EXPECT_EQ(waitpid(child, &status, 0), child);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
 TEST_F(GmappingSpaTour, InterruptedRunWritesWhatItHasAndSaysSo) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const std::string output_dir = folder_.Path("out" + std::to_string(signal));
-    EXPECT_EQ(StatusAfterSignal(Command(output_dir, {"--particles=100", "--linear_update_m=0.05"}),
-                                output_dir, signal),
+    EXPECT_EQ(SignalCommand(Command(output_dir, {"--particles=100", "--linear_update_m=0.05"}),
+                            output_dir, signal)
+                  .status,
               128 + signal);
     EXPECT_THAT(FilesIn(output_dir), SizeIs(kByteIdentical.size() + 1));
     const Json record = ReadRunRecord(output_dir);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <new>
 #include <thread>
 #include <vector>
 
@@ -27,6 +29,19 @@ TEST(ParallelFor, OneThreadIsTheCallingOneAndWorksInOrder) {
     order.push_back(i);
   });
   EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 3, 4}));
+}
+
+TEST(ParallelFor, ThrowsWhatAnItemThrowsWhenAllThreadsHaveEnded) {
+  for (const int threads : {1, 2, 8}) {
+    std::atomic<int> calls = 0;
+    EXPECT_THROW(ParallelFor(threads, 1000,
+                             [&](int i) {
+                               ++calls;
+                               if (i == 10) throw std::bad_alloc();
+                             }),
+                 std::bad_alloc);
+    EXPECT_GE(calls, 11);
+  }
 }
 
 }  // namespace
