@@ -119,15 +119,12 @@ Summary SpaOptimizer::Optimize(const Options& options, std::span<const backend::
   }
   const bool continues = summary.initial_cost <= kContinuationCostRatio * last_cost_;
   const bool choose_start = !backend::KeepsStart(options) && !continues;
-  if (choose_start &&
-      !(may_continue && StepContinues(minimizer_options, problem, &poses, &summary))) {
-    poses = CheaperStart(problem, summary.initial_cost);
-  }
+  const bool stepped =
+      choose_start && may_continue && StepContinues(minimizer_options, problem, &poses, &summary);
+  if (choose_start && !stepped) poses = CheaperStart(problem, summary.initial_cost);
   minimizer_options.give_up_early = choose_start;
-  const bool has_iterations_left =
-      static_cast<int>(summary.iterations.size()) < options.max_iterations;
-  if (has_iterations_left &&
-      !minimizer_.Minimize(minimizer_options, problem, &memory_, &poses, &summary)) {
+  const bool is_done = stepped && options.max_iterations == 1;
+  if (!is_done && !minimizer_.Minimize(minimizer_options, problem, &memory_, &poses, &summary)) {
     TryAnotherStart(minimizer_options, problem, &poses, &summary);
   }
   if (summary.final_cost < summary.initial_cost) {
