@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -22,6 +23,12 @@ namespace {
 constexpr double kDcsScale = 4.033;
 // Of the time that an optimization may take: least squares is in vain where closures are wrong.
 constexpr double kFirstPartOfTime = 0.3;
+// Iterations after which least squares is looked at: it takes many where closures are wrong.
+constexpr int kFirstIterations = 15;
+// Errors, as a multiple of what chance makes them, from which on more iterations are in vain.
+constexpr double kHopeless = 20.0;
+// Scaling only has to come near the truth.
+constexpr double kScalingTolerance = 1e-4;
 constexpr int kMaxRounds = 20;  // of sorting closures and least squares; a few are usual
 
 PoseGraph CopyOf(const PoseGraphView& graph) {
@@ -31,6 +38,45 @@ PoseGraph CopyOf(const PoseGraphView& graph) {
 
 void SetPoses(const std::vector<SE2>& poses, PoseGraph* graph) {
   for (std::size_t k = 0; k < poses.size(); ++k) graph->nodes[k].world_T_node = poses[k];
+}
+
+// The part of squared errors of right loop closures that are larger: the chi-square distribution
+// with three degrees of freedom.
+double PartAbove(double squared_error) {
+  return std::erfc(std::sqrt(squared_error / 2.0)) +
+         std::sqrt(2.0 * squared_error / std::numbers::pi) * std::exp(-squared_error / 2.0);
+}
+
+// The 0.99 quantile of the chi-square distribution (Wilson and Hilferty 1931).
+double Quantile99(double degrees_of_freedom) {
+  const double variance = 2.0 / (9.0 * degrees_of_freedom);
+  return degrees_of_freedom * std::pow(1.0 - variance + 2.326 * std::sqrt(variance), 3.0);
+}
+
+// How large chance makes the sum of all squared errors where every edge is right.
+double LargestSumByChance(const PoseGraphView& graph, const GraphIndex& index) {
+  constexpr double kMisjudged = 1.1;  // covariances that are a little too small are no outliers
+  const auto unknowns = static_cast<double>(std::ranges::count(index.fixed, false));
+  const double degrees_of_freedom = 3.0 * (static_cast<double>(graph.edges.size()) - unknowns);
+  return kMisjudged * Quantile99(std::max(degrees_of_freedom, 1.0));
+}
+
+// Whether least squares explains the graph: the largest error of all loop closures is no larger
+// than chance makes it, and neither is the sum of all errors. A long way bends so easily that a
+// wrong closure hardly shows in its own error.
+bool EveryClosureAgrees(const PoseGraphView& graph, const GraphIndex& index,
+                        const std::vector<SE2>& poses) {
+  constexpr double kSignificance = 0.01;
+  const std::vector<double> squared = SquaredErrors(graph, index, poses);
+  double largest = 0.0, closures = 0.0, sum = 0.0;
+  for (std::size_t k = 0; k < squared.size(); ++k) {
+    sum += squared[k];
+    if (graph.edges[k].kind != EdgeKind::kLoopClosure) continue;
+    largest = std::max(largest, squared[k]);
+    closures += 1.0;
+  }
+  if (closures == 0.0) return true;
+  return closures * PartAbove(largest) >= kSignificance && sum <= LargestSumByChance(graph, index);
 }
 
 // Poses with the mixture that explains the errors there, and how the optimizer came to them: what
@@ -59,10 +105,14 @@ class RobustOptimization {
 
   // Optimizes `graph` as one stage of all, in at most that part of the time that is left.
   bool Optimize(Initialization initialization, const Loss& loss, PoseGraph* graph,
-                double part_of_time = 1.0) {
+                double part_of_time = 1.0, int iterations = std::numeric_limits<int>::max()) {
     Options stage = options_;
     stage.initialization = initialization;
     stage.loss = loss;
+    stage.max_iterations = std::min(stage.max_iterations, iterations);
+    if (loss.kind != LossKind::kNone) {
+      stage.cost_tolerance = std::max(stage.cost_tolerance, kScalingTolerance);
+    }
     if (deadline_ != std::chrono::steady_clock::time_point::max()) {
       const std::chrono::duration<double> left = deadline_ - std::chrono::steady_clock::now();
       stage.max_solver_time_s = std::max(0.0, part_of_time * left.count());
@@ -97,11 +147,25 @@ class RobustOptimization {
     return now;
   }
 
-  // Steps 1 to 3. Returns nothing when the optimizer fails.
-  std::optional<Explanation> ScaleAndRefine(Initialization initialization) {
+  // Step 1. Returns nothing when the optimizer fails.
+  std::optional<std::vector<SE2>> Scale(Initialization initialization) {
     PoseGraph graph = CopyOf(graph_);
     if (!Optimize(initialization, {LossKind::kDcs, kDcsScale}, &graph)) return std::nullopt;
-    return Refine(PosesOf(graph));
+    return PosesOf(graph);
+  }
+
+  // Least squares, given up where it cannot explain the graph. False when the optimizer fails.
+  bool OptimizeLeastSquares(PoseGraph* graph) {
+    if (!Optimize(options_.initialization, {}, graph, kFirstPartOfTime, kFirstIterations)) {
+      return false;
+    }
+    const int left = options_.max_iterations - kFirstIterations;
+    const double hopeless = kHopeless * LargestSumByChance(graph_, index_);
+    if (summary_.termination == Termination::kConverged || left <= 0 ||
+        2.0 * summary_.final_cost > hopeless) {
+      return true;
+    }
+    return Optimize(Initialization::kKeep, {}, graph, kFirstPartOfTime, left);
   }
 
  private:
@@ -132,41 +196,6 @@ class RobustOptimization {
   Summary summary_;
 };
 
-// The part of squared errors of right loop closures that are larger: the chi-square distribution
-// with three degrees of freedom.
-double PartAbove(double squared_error) {
-  return std::erfc(std::sqrt(squared_error / 2.0)) +
-         std::sqrt(2.0 * squared_error / std::numbers::pi) * std::exp(-squared_error / 2.0);
-}
-
-// The 0.99 quantile of the chi-square distribution (Wilson and Hilferty 1931).
-double Quantile99(double degrees_of_freedom) {
-  const double variance = 2.0 / (9.0 * degrees_of_freedom);
-  return degrees_of_freedom * std::pow(1.0 - variance + 2.326 * std::sqrt(variance), 3.0);
-}
-
-// Whether least squares explains the graph: the largest error of all loop closures is no larger
-// than chance makes it, and neither is the sum of all errors. A long way bends so easily that a
-// wrong closure hardly shows in its own error.
-bool EveryClosureAgrees(const PoseGraphView& graph, const GraphIndex& index,
-                        const std::vector<SE2>& poses) {
-  constexpr double kSignificance = 0.01;
-  constexpr double kMisjudged = 1.1;  // covariances that are a little too small are no outliers
-  const std::vector<double> squared = SquaredErrors(graph, index, poses);
-  double largest = 0.0, closures = 0.0, sum = 0.0;
-  for (std::size_t k = 0; k < squared.size(); ++k) {
-    sum += squared[k];
-    if (graph.edges[k].kind != EdgeKind::kLoopClosure) continue;
-    largest = std::max(largest, squared[k]);
-    closures += 1.0;
-  }
-  if (closures == 0.0) return true;
-  const double unknowns = 3.0 * static_cast<double>(std::ranges::count(index.fixed, false));
-  const double degrees_of_freedom = 3.0 * static_cast<double>(squared.size()) - unknowns;
-  return closures * PartAbove(largest) >= kSignificance &&
-         sum <= kMisjudged * Quantile99(std::max(degrees_of_freedom, 1.0));
-}
-
 bool IsBetter(const ClosureMixture& a, const ClosureMixture& b) {
   return a.negative_log_likelihood < b.negative_log_likelihood;
 }
@@ -182,9 +211,7 @@ Summary OptimizeRobustly(const Options& options, Optimizer* optimizer, PoseGraph
   const PoseGraphView given(given_nodes, graph->edges);
   RobustOptimization robust(options, optimizer, given);
   const GraphIndex& index = robust.index();
-  if (!robust.Optimize(options.initialization, {}, graph, kFirstPartOfTime)) {
-    return *robust.summary();
-  }
+  if (!robust.OptimizeLeastSquares(graph)) return *robust.summary();
   const std::vector<SE2> least_squares = PosesOf(*graph);
   if (EveryClosureAgrees(given, index, least_squares)) {
     const bool ran_out_of_time = robust.summary()->termination == Termination::kNoConvergence &&
@@ -197,10 +224,15 @@ Summary OptimizeRobustly(const Options& options, Optimizer* optimizer, PoseGraph
     return *robust.summary();
   }
 
-  std::optional<Explanation> best = robust.ScaleAndRefine(options.initialization);
+  std::optional<Explanation> best;
+  const std::optional<std::vector<SE2>> scaled = robust.Scale(options.initialization);
+  if (scaled) best = robust.Refine(*scaled);
   // Where it is up to us, the odometry is another start, unless the back end moves nothing at all.
   if (options.initialization == Initialization::kAuto && best && best->poses != PosesOf(given)) {
-    KeepBetter(robust.ScaleAndRefine(Initialization::kOdometry), &best);
+    const std::optional<std::vector<SE2>> from_odometry = robust.Scale(Initialization::kOdometry);
+    if (from_odometry && from_odometry != scaled) {
+      KeepBetter(robust.Refine(*from_odometry), &best);
+    }
   }
   // Where few are wrong, least squares or the given poses may be nearer to the truth.
   for (const std::vector<SE2>& poses : {least_squares, PosesOf(given)}) {
