@@ -61,21 +61,25 @@ void Update(const double* panel, int rows, int pivots, double* update) {
   }
 }
 
-void Substitute(const double* panel, int rows, int pivots, double* x) {
+void Substitute(const double* columns, int rows, int pivots, double* x) {
+  const double* column = columns;
   for (int j = 0; j < pivots; ++j) {
-    const double* const column = panel + static_cast<std::ptrdiff_t>(rows) * j;
-    x[j] /= column[j];
-    Subtract(x[j], column, j + 1, rows, x);
+    x[j] /= column[0];
+    Subtract(x[j], column + 1, 0, rows - j - 1, x + j + 1);
+    column += rows - j;
   }
 }
 
-void SubstituteBack(const double* panel, int rows, int pivots, double* x) {
+void SubstituteBack(const double* columns, int rows, int pivots, double* x) {
+  const std::ptrdiff_t size =
+      std::ptrdiff_t{pivots} * rows - std::ptrdiff_t{pivots} * (pivots - 1) / 2;
+  const double* column = columns + size;
   for (int j = pivots - 1; j >= 0; --j) {
-    const double* const column = panel + static_cast<std::ptrdiff_t>(rows) * j;
+    column -= rows - j;
     const int below = rows - j - 1;
-    const double known = Eigen::Map<const Eigen::VectorXd>(column + j + 1, below)
+    const double known = Eigen::Map<const Eigen::VectorXd>(column + 1, below)
                              .dot(Eigen::Map<const Eigen::VectorXd>(x + j + 1, below));
-    x[j] = (x[j] - known) / column[j];
+    x[j] = (x[j] - known) / column[0];
   }
 }
 

@@ -102,8 +102,6 @@ Fronts FindFronts(const BlockStructure& structure, const EliminationTree& tree) 
     }
     std::sort(result.row.begin() + front.row_begin, result.row.end());
     front.rows = static_cast<int>(result.row.size()) - front.row_begin;
-    front.factor_begin = result.factor_blocks;
-    result.factor_blocks += std::int64_t{front.pivots} * (front.pivots + front.rows);
     for (int p = 0; p < front.pivots; ++p) {
       const std::int64_t below = front.pivots - 1 - p + front.rows;
       front.work += below * (below + 1) / 2;

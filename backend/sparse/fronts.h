@@ -20,11 +20,10 @@ struct Front {
   int rows = 0;         // below the pivots
   int entry_begin = 0;  // of its part of Fronts::entry
   int entries = 0;
-  int parent = -1;                // the front of its first row; -1 for roots
-  int first_child = -1;           // -1: none
-  int next_child = -1;            // of the same parent
-  std::int64_t factor_begin = 0;  // blocks of L in the fronts before it
-  std::int64_t work = 0;          // block products of it and all fronts below it
+  int parent = -1;        // the front of its first row; -1 for roots
+  int first_child = -1;   // -1: none
+  int next_child = -1;    // of the same parent
+  std::int64_t work = 0;  // block products of it and all fronts below it
 };
 
 // A block of the matrix above the diagonal whose row is a pivot of the front.
@@ -37,7 +36,6 @@ struct Fronts {
   std::vector<Front> fronts;  // children before their parents
   std::vector<int> row;       // columns of the matrix, ascending in each front
   std::vector<FrontEntry> entry;
-  std::int64_t factor_blocks = 0;
 
   bool empty() const { return fronts.empty(); }
 };

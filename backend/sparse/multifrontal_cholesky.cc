@@ -20,10 +20,12 @@ template <int kSize>
 class Factorization {
  public:
   Factorization(const BlockStructure& structure, const Fronts& fronts,
-                const BlockMatrix<kSize>& matrix, double* factor)
+                const BlockMatrix<kSize>& matrix, const std::vector<std::size_t>& begin,
+                double* factor)
       : structure_(structure),
         fronts_(fronts),
         matrix_(matrix),
+        begin_(begin),
         factor_(factor),
         updates_(fronts.fronts.size()) {}
 
@@ -36,9 +38,9 @@ class Factorization {
     std::atomic<std::size_t> next = 0;
     std::atomic<bool> is_good = true;
     const auto work = [&] {
-      std::vector<int> position(structure_.columns());
+      Workspace workspace(structure_.columns());
       for (std::size_t k; is_good && (k = next++) < subtrees.size();) {
-        if (!FactorizeSubtree(subtrees[k], &position)) is_good = false;
+        if (!FactorizeSubtree(subtrees[k], &workspace)) is_good = false;
       }
     };
     {
@@ -46,14 +48,21 @@ class Factorization {
       for (int k = 1; k < threads; ++k) others.emplace_back(work);
       work();
     }
-    std::vector<int> position(structure_.columns());
+    Workspace workspace(structure_.columns());
     for (int f = 0; is_good && f < Count(); ++f) {
-      if (!is_done_[f]) is_good = FactorizeFront(f, &position);
+      if (!is_done_[f]) is_good = FactorizeFront(f, &workspace);
     }
     return is_good;
   }
 
  private:
+  // What a thread needs for one front after the other.
+  struct Workspace {
+    explicit Workspace(int columns) : position(columns) {}
+    std::vector<int> position;  // of each column in the front
+    std::vector<double> panel;  // the columns of the pivots, with all rows
+  };
+
   int Count() const { return static_cast<int>(fronts_.fronts.size()); }
 
   template <typename Visit>
@@ -80,36 +89,40 @@ class Factorization {
     return roots;
   }
 
-  bool FactorizeSubtree(int root, std::vector<int>* position) {
+  bool FactorizeSubtree(int root, Workspace* workspace) {
     std::vector<int> below = {root};  // parents before their children
     for (std::size_t k = 0; k < below.size(); ++k) {
       ForEachChild(below[k], [&](int child) { below.push_back(child); });
     }
     std::ranges::sort(below);
-    return std::ranges::all_of(below, [&](int f) { return FactorizeFront(f, position); });
+    return std::ranges::all_of(below, [&](int f) { return FactorizeFront(f, workspace); });
   }
 
-  // `position` gets the place of each column in the front.
-  bool FactorizeFront(int number, std::vector<int>* position) {
+  bool FactorizeFront(int number, Workspace* workspace) {
     const Front& front = fronts_.fronts[number];
     const int* const rows = fronts_.row.data() + front.row_begin;
-    for (int k = 0; k < front.pivots; ++k) (*position)[front.first + k] = k;
-    for (int k = 0; k < front.rows; ++k) (*position)[rows[k]] = front.pivots + k;
-    double* const panel = factor_ + front.factor_begin * kSize * kSize;
-    AddMatrix(front, *position, panel);
+    std::vector<int>& position = workspace->position;
+    for (int k = 0; k < front.pivots; ++k) position[front.first + k] = k;
+    for (int k = 0; k < front.rows; ++k) position[rows[k]] = front.pivots + k;
+    const int all = kSize * (front.pivots + front.rows), pivots = kSize * front.pivots;
+    workspace->panel.assign(static_cast<std::size_t>(all) * pivots, 0.0);
+    double* const panel = workspace->panel.data();
+    AddMatrix(front, position, panel);
     std::vector<double>& update = updates_[number];
     update.assign(std::size_t{kSize} * kSize * front.rows * front.rows, 0.0);
-    ForEachChild(number, [&](int child) { AddUpdate(child, front, *position, panel, &update); });
+    ForEachChild(number, [&](int child) { AddUpdate(child, front, position, panel, &update); });
 
-    const int all = kSize * (front.pivots + front.rows), pivots = kSize * front.pivots;
     if (!dense_.factorize(panel, all, pivots) || !AreSound(front, panel)) return false;
     if (front.rows > 0) dense_.update(panel, all, pivots, update.data());
+    double* to = factor_ + begin_[number];
+    for (int j = 0; j < pivots; ++j) {
+      to = std::copy_n(panel + (std::ptrdiff_t{all} + 1) * j, all - j, to);
+    }
     return true;
   }
 
   void AddMatrix(const Front& front, const std::vector<int>& position, double* panel) const {
     const std::ptrdiff_t stride = std::ptrdiff_t{kSize} * (front.pivots + front.rows);
-    std::fill_n(panel, stride * kSize * front.pivots, 0.0);
     for (int k = 0; k < front.pivots; ++k) {
       const auto block = matrix_.diagonal(front.first + k);
       double* const to = panel + (stride + 1) * kSize * k;
@@ -173,15 +186,16 @@ class Factorization {
   const BlockStructure& structure_;
   const Fronts& fronts_;
   const BlockMatrix<kSize>& matrix_;
+  const std::vector<std::size_t>& begin_;
   double* factor_;
   std::vector<std::vector<double>> updates_;  // what each front left to its parent
   std::vector<bool> is_done_;                 // of each front, whether it is in one of Subtrees
   const DenseFront& dense_ = DenseFrontForThisProcessor();
 };
 
-// Calls use(panel, rows, pivots, x of these rows) for a front, and puts its x back.
+// Calls use(columns of L, rows, pivots, x of these rows) for a front, and puts its x back.
 template <int kSize, typename Use>
-void WithRowsOf(const Front& front, const Fronts& fronts, const double* factor, double* x,
+void WithRowsOf(const Front& front, const Fronts& fronts, const double* columns, double* x,
                 std::vector<double>* local, const Use& use) {
   const int pivots = kSize * front.pivots, rows = kSize * front.rows;
   const int* const row = fronts.row.data() + front.row_begin;
@@ -189,7 +203,7 @@ void WithRowsOf(const Front& front, const Fronts& fronts, const double* factor, 
   local->resize(pivots + rows);
   std::copy_n(first, pivots, local->data());
   for (int k = 0; k < rows; ++k) (*local)[pivots + k] = x[kSize * row[k / kSize] + k % kSize];
-  use(factor + front.factor_begin * kSize * kSize, pivots + rows, pivots, local->data());
+  use(columns, pivots + rows, pivots, local->data());
   std::copy_n(local->data(), pivots, first);
   for (int k = 0; k < rows; ++k) x[kSize * row[k / kSize] + k % kSize] = (*local)[pivots + k];
 }
@@ -200,10 +214,18 @@ template <int kSize>
 bool MultifrontalCholesky::Solve(const BlockStructure& structure, const Fronts& fronts,
                                  const BlockMatrix<kSize>& matrix, int threads,
                                  typename BlockMatrix<kSize>::Vector* x) {
-  const std::size_t size = std::size_t{kSize} * kSize * fronts.factor_blocks;
-  if (size > factor_.capacity()) std::vector<double>().swap(factor_);  // before there is more
-  factor_.resize(size);
-  if (!Factorization<kSize>(structure, fronts, matrix, factor_.data()).Run(threads)) return false;
+  begin_ = {0};
+  for (const Front& front : fronts.fronts) {
+    const std::size_t pivots = std::size_t{kSize} * front.pivots;
+    const std::size_t rows = pivots + std::size_t{kSize} * front.rows;
+    begin_.push_back(begin_.back() + pivots * rows - pivots * (pivots - 1) / 2);
+  }
+  if (begin_.back() > factor_.capacity()) {
+    std::vector<double>().swap(factor_);  // before there is more
+  }
+  factor_.resize(begin_.back());
+  Factorization<kSize> factorization(structure, fronts, matrix, begin_, factor_.data());
+  if (!factorization.Run(threads)) return false;
   SolveAgain<kSize>(fronts, x);
   return true;
 }
@@ -214,13 +236,13 @@ void MultifrontalCholesky::SolveAgain(const Fronts& fronts,
   const DenseFront& dense = DenseFrontForThisProcessor();
   auto* const numbers = reinterpret_cast<double*>(x->data());
   std::vector<double> local;
-  for (const Front& front : fronts.fronts) {
-    WithRowsOf<kSize>(front, fronts, factor_.data(), numbers, &local, dense.substitute);
-  }
-  for (std::size_t f = fronts.fronts.size(); f-- > 0;) {
-    WithRowsOf<kSize>(fronts.fronts[f], fronts, factor_.data(), numbers, &local,
-                      dense.substitute_back);
-  }
+  const int count = static_cast<int>(fronts.fronts.size());
+  const auto use = [&](int f, const auto& substitute) {
+    WithRowsOf<kSize>(fronts.fronts[f], fronts, factor_.data() + begin_[f], numbers, &local,
+                      substitute);
+  };
+  for (int f = 0; f < count; ++f) use(f, dense.substitute);
+  for (int f = count - 1; f >= 0; --f) use(f, dense.substitute_back);
 }
 
 template bool MultifrontalCholesky::Solve(const BlockStructure&, const Fronts&,

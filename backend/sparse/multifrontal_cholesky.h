@@ -27,7 +27,8 @@ class MultifrontalCholesky {
   void SolveAgain(const Fronts& fronts, typename BlockMatrix<kSize>::Vector* x) const;
 
  private:
-  std::vector<double> factor_;  // the columns of L, front by front
+  std::vector<double> factor_;      // the columns of L from the diagonal on, front by front
+  std::vector<std::size_t> begin_;  // of each front's part of it
 };
 
 }  // namespace gmapping_spa::spa

@@ -143,6 +143,12 @@ const std::vector<std::string>& FlagFiles() { return Parsed().flag_files; }
 
 const std::vector<std::string>& FlagOverrides() { return Parsed().overrides; }
 
+void ReleaseFreedMemory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 int ReceivedSignal() { return received_signal; }
 
 void ThrowIfInterrupted() {

@@ -42,6 +42,10 @@ const std::vector<std::string>& FlagFiles();
 // What RunApp said about flags that the command line overrides, a line each.
 const std::vector<std::string>& FlagOverrides();
 
+// Returns memory that is free to the system, where the C library keeps it otherwise: before work in
+// another thread, which gets memory of its own.
+void ReleaseFreedMemory();
+
 // SIGINT or SIGTERM when the process has received it, else 0. A second one ends the process at
 // once.
 int ReceivedSignal();

@@ -167,6 +167,7 @@ void Run() {
   std::optional<PoseGraph> before;
   if (!FLAGS_png.empty()) before = graph;
 
+  ReleaseFreedMemory();
   const std::int64_t start_us = CpuTime_us();
   Summary summary;
   std::tie(graph, summary) =

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <vector>
 
 namespace gmapping_spa::spa {
 namespace {
@@ -33,15 +34,19 @@ TEST_P(DenseFrontOfSize, AgreesWithDenseCholesky) {
   EXPECT_LT(Eigen::MatrixXd(difference.triangularView<Eigen::Lower>()).norm(),
             1e-10 * matrix.norm());
 
+  std::vector<double> columns;
+  for (int j = 0; j < pivots; ++j) {
+    columns.insert(columns.end(), panel.col(j).begin() + j, panel.col(j).end());
+  }
   Eigen::VectorXd x = b;
-  dense.substitute(panel.data(), rows, pivots, x.data());
+  dense.substitute(columns.data(), rows, pivots, x.data());
   const Eigen::VectorXd y =
       l.topLeftCorner(pivots, pivots).triangularView<Eigen::Lower>().solve(b.head(pivots));
   EXPECT_LT((x.head(pivots) - y).norm(), 1e-9 * y.norm());
   EXPECT_LT((x.tail(rest) - (b.tail(rest) - l.bottomLeftCorner(rest, pivots) * y)).norm(), 1e-9);
 
   x.tail(rest) = b.tail(rest);
-  dense.substitute_back(panel.data(), rows, pivots, x.data());
+  dense.substitute_back(columns.data(), rows, pivots, x.data());
   const Eigen::VectorXd right = y - l.bottomLeftCorner(rest, pivots).transpose() * b.tail(rest);
   const Eigen::VectorXd solution =
       l.topLeftCorner(pivots, pivots).transpose().triangularView<Eigen::Upper>().solve(right);
