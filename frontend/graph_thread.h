@@ -58,11 +58,12 @@ class GraphThread {
   // What runs for longer than patience_s is left to itself: its thread ends with it, and the
   // function is destroyed there. Otherwise the thread has ended.
   ~GraphThread();
+  GraphThread(const GraphThread&) = delete;
+  GraphThread& operator=(const GraphThread&) = delete;
+
   // From when `is_asked` returns true, all waits together last two seconds at most: for users who
   // want the program to end. It is called a few times a second.
   void StopWaitingWhen(std::function<bool()> is_asked) { is_asked_to_stop_ = std::move(is_asked); }
-  GraphThread(const GraphThread&) = delete;
-  GraphThread& operator=(const GraphThread&) = delete;
 
   // Whether there is a snapshot whose result has not been taken.
   bool busy() const { return result_.valid(); }

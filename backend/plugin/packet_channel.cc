@@ -24,7 +24,7 @@ struct Header {
 constexpr std::uint64_t kMagic = 0x6b6361705f617073;
 
 // Waits until the socket can be read from or written to, or has something wrong with it.
-void WaitFor(int socket, short events, Clock::time_point deadline) {
+void WaitFor(int socket, decltype(pollfd::events) events, Clock::time_point deadline) {
   for (;;) {
     int timeout_ms = -1;  // for ever
     if (deadline != Clock::time_point::max()) {

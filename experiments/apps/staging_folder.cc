@@ -113,8 +113,9 @@ void RemoveAbandoned(const fs::path& folder) {
       const std::size_t count = NamesIn(path).size();
       std::error_code error;
       fs::remove_all(path, error);
-      LOG(WARNING) << folder.string() << ": " << (error ? "cannot remove " : "removed ") << count
-                   << " unfinished files of a run that was killed";
+      LOG_IF(WARNING, count > 0 || error)
+          << folder.string() << ": " << (error ? "cannot remove " : "removed ") << count
+          << " unfinished files of a run that was killed";
     }
     close(descriptor);
   }

@@ -59,17 +59,25 @@ std::int64_t HeaderNumber(std::istream& in) {
   return number;
 }
 
-// stb takes a truncated PGM for a whole one, with pixels of whatever memory held, and ignores the
-// header's maximum value: both are checked here.
+void CheckSize(const std::string& path, std::int64_t width, std::int64_t height) {
+  if (width <= 0 || height <= 0 || width > kMaxMapCells / height) {
+    Fail(path, "expected 1 to " + std::to_string(kMaxMapCells) + " pixels, found " +
+                   std::to_string(width) + " x " + std::to_string(height));
+  }
+}
+
+// stb takes a truncated PGM for a whole one, with pixels of whatever memory held, ignores the
+// header's maximum value, and computes with numbers that are too large for it: all is checked here.
 void CheckPnm(const std::string& path, const std::string& bytes) {
   std::istringstream in(bytes);
   in.ignore(2);
   const std::int64_t width = HeaderNumber(in), height = HeaderNumber(in),
                      maximum = HeaderNumber(in);
+  CheckSize(path, width, height);
   if (maximum != 255)
     Fail(path, "expected an image of maximum value 255, found " + std::to_string(maximum));
   const std::int64_t channels = bytes[1] == '6' ? 3 : 1;
-  const std::int64_t expected = width * height * channels;  // Both were limited before.
+  const std::int64_t expected = width * height * channels;
   const std::int64_t found =
       static_cast<std::int64_t>(bytes.size()) - static_cast<std::int64_t>(in.tellg()) - 1;
   if (found < expected) {
@@ -119,15 +127,13 @@ Image ReadImage(const std::string& path) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
+  const bool is_pnm = bytes.starts_with("P5") || bytes.starts_with("P6");
+  if (is_pnm) CheckPnm(path, bytes);
   if (!stbi_info_from_memory(data, size, &width, &height, &channels)) {
     Fail(path, "expected a PGM or PNG image, found something else");
   }
-  if (width <= 0 || height <= 0 || static_cast<std::int64_t>(width) * height > kMaxMapCells) {
-    Fail(path, "expected 1 to " + std::to_string(kMaxMapCells) + " pixels, found " +
-                   std::to_string(width) + " x " + std::to_string(height));
-  }
-  const std::int64_t pixels = static_cast<std::int64_t>(width) * height;
-  bytes[0] == 'P' ? CheckPnm(path, bytes) : CheckPng(path, bytes, pixels);
+  CheckSize(path, width, height);
+  if (!is_pnm) CheckPng(path, bytes, static_cast<std::int64_t>(width) * height);
   // map_server sees grey with alpha as RGBA.
   if (channels == 2) channels = 4;
   Image image{
