@@ -66,6 +66,76 @@ Measured MeasuredBy(const Edge& edge, double log_area) {
   return measured;
 }
 
+// The loop closures of a graph with their errors.
+struct Closures {
+  std::vector<std::size_t> edge;
+  std::vector<Measured> measured;
+  std::vector<double> squared_error;
+
+  std::size_t size() const { return edge.size(); }
+};
+
+// The cost at which a loop closure is as likely an outlier as an inlier.
+double OutlierCost(const Measured& measured, const ClosureMixture& mixture) {
+  return measured.log_density_ratio -
+         0.5 * measured.dimensions * std::log(mixture.variance_factor) +
+         std::log(mixture.inlier_ratio / (1.0 - mixture.inlier_ratio));
+}
+
+// Expectation maximization from this variance factor on.
+void Maximize(const Closures& closures, double variance_factor, ClosureMixture* mixture) {
+  mixture->variance_factor = variance_factor;
+  mixture->inlier_ratio = 0.5;
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+    double inliers = 0.0, dimensions = 0.0, sum = 0.0;
+    for (std::size_t c = 0; c < closures.size(); ++c) {
+      const double cost = 0.5 * closures.squared_error[c] / mixture->variance_factor;
+      const double probability =
+          1.0 / (1.0 + std::exp(cost - OutlierCost(closures.measured[c], *mixture)));
+      mixture->inlier_probability[closures.edge[c]] = probability;
+      inliers += probability;
+      dimensions += probability * closures.measured[c].dimensions;
+      if (probability > 0.0) sum += probability * closures.squared_error[c];
+    }
+    const double factor =
+        std::max(1.0, (sum + 3.0 * kPriorInliers) / (dimensions + 3.0 * kPriorInliers));
+    const double ratio =
+        std::clamp(inliers / static_cast<double>(closures.size()), kLeastRatio, 1.0 - kLeastRatio);
+    const bool finished =
+        std::abs(factor - mixture->variance_factor) <= kTolerance * mixture->variance_factor &&
+        std::abs(ratio - mixture->inlier_ratio) <= kTolerance * mixture->inlier_ratio;
+    mixture->variance_factor = factor;
+    mixture->inlier_ratio = ratio;
+    if (finished) break;
+  }
+}
+
+// Fills in what follows from the parameters.
+void Complete(const Closures& closures, ClosureMixture* mixture) {
+  for (std::size_t c = 0; c < closures.size(); ++c) {
+    const Measured& measured = closures.measured[c];
+    const double outlier_cost = OutlierCost(measured, *mixture);
+    mixture->outlier_cost[closures.edge[c]] = std::max(0.0, outlier_cost);
+    const double cost = 0.5 * closures.squared_error[c] / mixture->variance_factor;
+    // -log(density), but for the density of outliers, which is the same for all explanations.
+    const double outlier = -std::log(1.0 - mixture->inlier_ratio);
+    const double inlier = cost - outlier_cost + outlier;
+    const double smaller = std::min(inlier, outlier);
+    mixture->negative_log_likelihood +=
+        smaller - std::log(std::exp(smaller - inlier) + std::exp(smaller - outlier)) +
+        measured.log_volume;
+  }
+}
+
+// The variance factor that half of the loop closures would have as inliers.
+double MedianFactor(const Closures& closures) {
+  constexpr double kMedianOfChiSquare = 2.366;  // with three degrees of freedom
+  std::vector<double> squared = closures.squared_error;
+  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
+  std::nth_element(squared.begin(), middle, squared.end());
+  return *middle / kMedianOfChiSquare;
+}
+
 }  // namespace
 
 ClosureMixture FitClosureMixture(const PoseGraphView& graph, const GraphIndex& index,
@@ -75,58 +145,26 @@ ClosureMixture FitClosureMixture(const PoseGraphView& graph, const GraphIndex& i
   ClosureMixture mixture;
   mixture.inlier_probability.assign(squared.size(), 1.0);
   mixture.outlier_cost.assign(squared.size(), std::numeric_limits<double>::infinity());
-  std::vector<std::size_t> closures;
-  std::vector<Measured> measured;
+  Closures closures;
   for (std::size_t k = 0; k < squared.size(); ++k) {
     if (graph.edges[k].kind != EdgeKind::kLoopClosure) {
       mixture.negative_log_likelihood += 0.5 * squared[k];
       continue;
     }
-    closures.push_back(k);
-    measured.push_back(MeasuredBy(graph.edges[k], log_area));
+    closures.edge.push_back(k);
+    closures.measured.push_back(MeasuredBy(graph.edges[k], log_area));
+    closures.squared_error.push_back(squared[k]);
   }
-  if (closures.empty()) return mixture;
-
-  mixture.inlier_ratio = 0.5;
-  // The cost at which a loop closure is as likely an outlier as an inlier.
-  const auto outlier_cost = [&](std::size_t c) {
-    return measured[c].log_density_ratio -
-           0.5 * measured[c].dimensions * std::log(mixture.variance_factor) +
-           std::log(mixture.inlier_ratio / (1.0 - mixture.inlier_ratio));
-  };
-  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
-    double inliers = 0.0, dimensions = 0.0, sum = 0.0;
-    for (std::size_t c = 0; c < closures.size(); ++c) {
-      const double cost = 0.5 * squared[closures[c]] / mixture.variance_factor;
-      const double probability = 1.0 / (1.0 + std::exp(cost - outlier_cost(c)));
-      mixture.inlier_probability[closures[c]] = probability;
-      inliers += probability;
-      dimensions += probability * measured[c].dimensions;
-      if (probability > 0.0) sum += probability * squared[closures[c]];
-    }
-    const double factor =
-        std::max(1.0, (sum + 3.0 * kPriorInliers) / (dimensions + 3.0 * kPriorInliers));
-    const double ratio =
-        std::clamp(inliers / static_cast<double>(closures.size()), kLeastRatio, 1.0 - kLeastRatio);
-    const bool finished =
-        std::abs(factor - mixture.variance_factor) <= kTolerance * mixture.variance_factor &&
-        std::abs(ratio - mixture.inlier_ratio) <= kTolerance * mixture.inlier_ratio;
-    mixture.variance_factor = factor;
-    mixture.inlier_ratio = ratio;
-    if (finished) break;
-  }
-  for (std::size_t c = 0; c < closures.size(); ++c) {
-    mixture.outlier_cost[closures[c]] = std::max(0.0, outlier_cost(c));
-    const double cost = 0.5 * squared[closures[c]] / mixture.variance_factor;
-    // -log(density), but for the density of outliers, which is the same for all explanations.
-    const double outlier = -std::log(1.0 - mixture.inlier_ratio);
-    const double inlier = cost - outlier_cost(c) + outlier;
-    const double smaller = std::min(inlier, outlier);
-    mixture.negative_log_likelihood +=
-        smaller - std::log(std::exp(smaller - inlier) + std::exp(smaller - outlier)) +
-        measured[c].log_volume;
-  }
-  return mixture;
+  if (closures.size() == 0) return mixture;
+  // Edges may say by far too small a covariance: then nothing near a factor of 1 is an inlier.
+  ClosureMixture other = mixture;
+  Maximize(closures, 1.0, &mixture);
+  Complete(closures, &mixture);
+  const double median_factor = MedianFactor(closures);
+  if (!(median_factor > mixture.variance_factor)) return mixture;
+  Maximize(closures, median_factor, &other);
+  Complete(closures, &other);
+  return other.negative_log_likelihood < mixture.negative_log_likelihood ? other : mixture;
 }
 
 std::vector<Edge> AcceptedEdges(std::span<const Edge> edges,

@@ -65,9 +65,24 @@ TEST(FitClosureMixture, FindsHowMuchLargerTheVarianceIsThanTheEdgesSay) {
   }
 }
 
-TEST(FitClosureMixture, TakesNoSingleWrongClosureForALargeVariance) {
+TEST(FitClosureMixture, FindsTheInliersOfEdgesThatSayByFarTooSmallACovariance) {
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    Sample sample = MakeSample(seed, 300, 200, 0.1);
+    for (Edge& edge : sample.graph.edges) edge.information *= 1000.0;
+    const ClosureMixture mixture = Fit(sample.graph);
+    EXPECT_NEAR(mixture.inlier_ratio, 0.6, 0.01);
+    EXPECT_NEAR(mixture.variance_factor, 1000.0, 100.0);
+  }
+}
+
+TEST(FitClosureMixture, TakesAFewWrongClosuresForNoLargeVariance) {
   for (unsigned seed = 0; seed < 20; ++seed) {
-    EXPECT_LT(Fit(MakeSample(seed, 0, 1, 0.1).graph).inlier_probability[0], 0.5) << seed;
+    for (const int wrong : {1, 2, 5}) {
+      const ClosureMixture mixture = Fit(MakeSample(seed, 0, wrong, 0.1).graph);
+      for (const double probability : mixture.inlier_probability) {
+        EXPECT_LT(probability, 0.5) << seed;
+      }
+    }
   }
 }
 
