@@ -106,9 +106,9 @@ void CheckPng(const std::string& path, const std::string& bytes, std::int64_t pi
                    " pixels can be packed into, found " + std::to_string(bytes.size()) + " bytes");
   }
   constexpr std::size_t kSignature = 8, kOverhead = 12;  // of a chunk: length, type, checksum
-  for (std::size_t at = kSignature; at + kOverhead <= bytes.size();) {
+  for (std::size_t at = kSignature; at + 4 <= bytes.size();) {
     const std::size_t size = BigEndian(bytes, at);
-    if (size > bytes.size() - at - kOverhead) {
+    if (at + kOverhead + size > bytes.size()) {
       Fail(path, "expected an intact image, found: a chunk of " + std::to_string(size) +
                      " bytes beyond the end of the file");
     }

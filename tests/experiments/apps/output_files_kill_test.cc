@@ -80,7 +80,7 @@ int HiddenIn(const std::string& folder) {
 void WriteSet(const std::string& folder, const Files& set) {
   OutputFiles files(folder);
   for (const auto& [name, text] : set) {
-    files.Write(name, [&](std::ostream& out) { out << text; });
+    files.Write(name, [&contents = text](std::ostream& out) { out << contents; });
   }
   files.Commit();
 }
