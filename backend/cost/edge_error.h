@@ -26,12 +26,7 @@ struct Heading {
   double sin = 0.0;
 };
 
-inline std::vector<Heading> HeadingsOf(const std::vector<SE2>& poses) {
-  std::vector<Heading> headings;
-  headings.reserve(poses.size());
-  for (const SE2& pose : poses) headings.push_back({std::cos(pose.theta), std::sin(pose.theta)});
-  return headings;
-}
+inline Heading HeadingOf(const SE2& pose) { return {std::cos(pose.theta), std::sin(pose.theta)}; }
 
 // The same error, with the heading of node i.
 inline Eigen::Vector3d EdgeError(const SE2& world_T_i, const Heading& heading_i,

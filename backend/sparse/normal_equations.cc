@@ -69,7 +69,10 @@ void PrefetchBlocks(const backend::GraphIndex& index, const BlockStructure& stru
   if (b >= 0) fetch(hessian.diagonal(b).data());
 }
 
-void SetZero(const BlockStructure& structure, NormalEquations* equations) {
+void Begin(const BlockStructure& structure, const std::vector<SE2>& poses,
+           NormalEquations* equations) {
+  equations->headings.clear();
+  for (const SE2& pose : poses) equations->headings.push_back(backend::HeadingOf(pose));
   equations->cost = 0.0;
   equations->hessian.SetZero(structure);
   equations->minus_gradient.assign(structure.columns(), PoseMatrix::Segment::Zero());
@@ -80,8 +83,8 @@ void SetZero(const BlockStructure& structure, NormalEquations* equations) {
 void Linearize(const backend::PoseGraphView& graph, const backend::GraphIndex& index,
                const BlockStructure& structure, const std::vector<SE2>& poses,
                const backend::Loss& loss, NormalEquations* equations) {
-  SetZero(structure, equations);
-  const std::vector<Heading> headings = backend::HeadingsOf(poses);
+  Begin(structure, poses, equations);
+  const std::vector<Heading>& headings = equations->headings;
   for (std::size_t k = 0; k < graph.edges.size(); ++k) {
     const Edge& edge = graph.edges[k];
     const auto [i, j] = index.edges[k];
@@ -101,8 +104,8 @@ void Linearize(const backend::PoseGraphView& graph, const backend::GraphIndex& i
 void LinearizeForTranslations(const backend::PoseGraphView& graph, const backend::GraphIndex& index,
                               const BlockStructure& structure, const std::vector<SE2>& poses,
                               NormalEquations* equations) {
-  SetZero(structure, equations);
-  const std::vector<Heading> headings = backend::HeadingsOf(poses);
+  Begin(structure, poses, equations);
+  const std::vector<Heading>& headings = equations->headings;
   for (std::size_t k = 0; k < graph.edges.size(); ++k) {
     const Edge& edge = graph.edges[k];
     const auto [i, j] = index.edges[k];

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "backend/cost/edge_error.h"
 #include "backend/cost/robust_loss.h"
 #include "backend/graph/pose_graph.h"
 #include "backend/sparse/block_matrix.h"
@@ -18,6 +19,7 @@ struct NormalEquations {
   double cost = 0.0;
   PoseMatrix hessian;
   PoseMatrix::Vector minus_gradient;
+  std::vector<backend::Heading> headings;  // of all nodes: memory that is kept
 };
 
 // Linearises `graph` at `poses` (one for each node) straight into the blocks of `structure`.
