@@ -145,7 +145,7 @@ void CompleteSetOf(const std::string& path) {
 }
 
 StagingFolder::StagingFolder(const std::string& folder)
-    : folder_(folder), path_(fs::path(folder) / (std::string(kStagingPrefix) + "XXXXXX")) {
+    : folder_(folder), path_(folder + "/" + kStagingPrefix + "XXXXXX") {
   const FolderLocked locked(folder);
   CompleteSetLocked(folder);
   // Only trying tells: the super user passes every check of permissions, read-only and virtual file
