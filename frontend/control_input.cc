@@ -41,7 +41,7 @@ ScanMotion ControlInput::AddScan(const sensor::LaserScan& scan) {
     return AsLogged(scan);
   }
   ScanMotion motion = lidar_odometry_.MatchScan(scan, wheels);
-  ReportSweep(scan.stamp_s);
+  ReportSweep(scan);
   if (options_.source == OdometrySource::kWheel) {
     if (motion.wheels_rejected || motion.wheels_silent) {
       health_->Report("odometry_contradicted", scan.stamp_s,
@@ -100,11 +100,14 @@ void ControlInput::ReportBlind(const sensor::LaserScan& scan) {
 }
 
 // Once.
-void ControlInput::ReportSweep(double stamp_s) {
+void ControlInput::ReportSweep(const sensor::LaserScan& scan) {
   if (has_reported_sweep_ || options_.lidar_odometry.sweep_duration_s || sweep_s() == 0.0) return;
   has_reported_sweep_ = true;
-  health_->Report("scans_deskewed", stamp_s,
-                  "scans bend while the robot turns, as those of a laser that takes about " +
+  health_->Report("scans_deskewed", scan.stamp_s,
+                  std::string(sweep_s() == scan.sweep_s
+                                  ? "the log has the scans of a laser that takes about "
+                                  : "scans bend while the robot turns, as those of a laser that "
+                                    "takes about ") +
                       std::to_string(std::lround(1e3 * std::abs(sweep_s()))) + " ms for a scan" +
                       (sweep_s() < 0.0 ? ", the last beam first" : "") +
                       "; they are deskewed from here on, all of them in the end");

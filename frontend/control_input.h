@@ -46,7 +46,7 @@ class ControlInput {
   ScanMotion AsLogged(const sensor::LaserScan& scan);
   void ReportFault(const sensor::OdometryCheck::Step& wheels, double stamp_s);
   void ReportBlind(const sensor::LaserScan& scan);
-  void ReportSweep(double stamp_s);
+  void ReportSweep(const sensor::LaserScan& scan);
   void ReportCalibration(double stamp_s);
   void ReportUnmatched(const ScanMotion& motion, const sensor::OdometryCheck::Step& wheels,
                        double stamp_s);

@@ -167,6 +167,7 @@ void BagReader::TakeScan(const BagMessage& message) {
   record.line = message.place;
   record.scan.beams = BeamsOf(scan, options_);
   record.scan.sweep_s = SweepOf(scan);
+  if (scan.range_max_m > 0.0) record.maximum_range_m = scan.range_max_m;
   record.scan.robot_T_laser = options_.robot_T_laser.value_or(SE2{});
   record.scan.stamp_s = Stamp(scan.header, message);
   ++num_scans_;

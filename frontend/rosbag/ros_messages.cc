@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "backend/graph/planar_quaternion.h"
 #include "frontend/rosbag/message_fields.h"
 #include "frontend/sensor/record_fields.h"
 
@@ -54,8 +55,13 @@ double Finite(double value, double limit, const char* what) {
                         std::to_string(value));
 }
 
+struct Pose {
+  Eigen::Vector3d translation;
+  Eigen::Quaterniond rotation;
+};
+
 // A translation or position, and a quaternion x y z w.
-Eigen::Isometry3d Pose(MessageFields& fields) {
+Pose TakePose(MessageFields& fields) {
   Eigen::Vector3d translation;
   for (double& value : translation) {
     value = Finite(fields.Take<double>("a position"), kFarthest_m, "a position");
@@ -68,7 +74,7 @@ Eigen::Isometry3d Pose(MessageFields& fields) {
     throw MalformedRecord("expected a quaternion of length 1, found one of " +
                           std::to_string(rotation.norm()));
   }
-  return Eigen::Translation3d(translation) * rotation.normalized();
+  return {translation, rotation};
 }
 
 }  // namespace
@@ -118,7 +124,9 @@ OdometryMessage ParseOdometry(std::string_view data, Encoding encoding) {
   OdometryMessage odometry;
   odometry.header = Header(fields);
   odometry.child_frame_id = FrameId(fields, "a frame");
-  odometry.odom_T_child = InPlane(Pose(fields));
+  const auto [position, q] = TakePose(fields);
+  // Not by a matrix, which would round: what a converter writes is to be read back exactly.
+  odometry.odom_T_child = {position.x(), position.y(), backend::YawOf(q.x(), q.y(), q.z(), q.w())};
   return odometry;
 }
 
@@ -129,7 +137,8 @@ std::vector<TransformMessage> ParseTf(std::string_view data, Encoding encoding) 
   for (TransformMessage& transform : transforms) {
     transform.header = Header(fields);
     transform.child_frame_id = FrameId(fields, "a frame");
-    transform.parent_T_child = Pose(fields);
+    const auto [translation, rotation] = TakePose(fields);
+    transform.parent_T_child = Eigen::Translation3d(translation) * rotation.normalized();
   }
   return transforms;
 }

@@ -141,7 +141,7 @@ ScanRecord CarmenReader::ParseFlaser(RecordFields fields) {
 // forward_safety_dist side_safety_dist turn_axis ipc_timestamp
 ScanRecord CarmenReader::ParseRobotLaser(RecordFields fields) const {
   ScanRecord record;
-  record.scan.beams = ParseBeamsWithAngles(fields);
+  ParseBeamsWithAngles(fields, &record);
   const SE2 odom_T_laser = fields.Pose("laser pose");
   record.has_odometry = true;
   record.scan.odom_T_robot = fields.Pose("robot pose");
@@ -156,7 +156,7 @@ ScanRecord CarmenReader::ParseRobotLaser(RecordFields fields) const {
 // <beams with angles> ipc_timestamp
 ScanRecord CarmenReader::ParseRawLaser(RecordFields fields) const {
   ScanRecord record;
-  record.scan.beams = ParseBeamsWithAngles(fields);
+  ParseBeamsWithAngles(fields, &record);
   record.scan.robot_T_laser = mounting();
   record.scan.stamp_s = ParseStamp(fields);
   return record;
@@ -199,7 +199,7 @@ double CarmenReader::ParseStamp(RecordFields& fields) const {
 
 // laser_type start_angle field_of_view angular_resolution maximum_range accuracy remission_mode
 // num_readings [ranges] num_remissions [remissions]
-std::vector<Beam> CarmenReader::ParseBeamsWithAngles(RecordFields& fields) const {
+void CarmenReader::ParseBeamsWithAngles(RecordFields& fields, ScanRecord* record) const {
   fields.Word("laser type");
   const double start_angle_rad = fields.FiniteNumber("start angle");
   const double fov_rad = fields.FiniteNumber("field of view");
@@ -213,7 +213,8 @@ std::vector<Beam> CarmenReader::ParseBeamsWithAngles(RecordFields& fields) const
   if (resolution_rad == 0.0 && ranges_m.size() > 1) {
     angles.step_rad = fov_rad / static_cast<double>(ranges_m.size() - 1);
   }
-  return CheckedBeams(ranges_m, angles, options_, maximum_range_m);
+  record->scan.beams = CheckedBeams(ranges_m, angles, options_, maximum_range_m);
+  if (maximum_range_m > 0.0) record->maximum_range_m = maximum_range_m;
 }
 
 }  // namespace gmapping_spa::sensor

@@ -13,10 +13,21 @@ namespace {
 using backend::SE2;
 
 TEST(PlaceInSweep, RunsFromMinusAHalfToAHalf) {
-  EXPECT_EQ(PlaceInSweep(0, 5), -0.5);
-  EXPECT_EQ(PlaceInSweep(2, 5), 0.0);
-  EXPECT_EQ(PlaceInSweep(4, 5), 0.5);
-  EXPECT_EQ(PlaceInSweep(0, 1), 0.0);
+  LaserScan scan;
+  scan.beams.resize(5);
+  EXPECT_EQ(PlaceInSweep(scan, 0), -0.5);
+  EXPECT_EQ(PlaceInSweep(scan, 2), 0.0);
+  EXPECT_EQ(PlaceInSweep(scan, 4), 0.5);
+  scan.beams.resize(1);
+  EXPECT_EQ(PlaceInSweep(scan, 0), 0.0);
+}
+
+TEST(PlaceInSweep, BeginsAtTheStampWhereTheLogTellsTheSweep) {
+  LaserScan scan;
+  scan.sweep_s = 0.1;
+  scan.beams.resize(5);
+  EXPECT_EQ(PlaceInSweep(scan, 0), 0.0);
+  EXPECT_EQ(PlaceInSweep(scan, 4), 1.0);
 }
 
 TEST(Deskew, LeavesScansOfARobotThatStandsStill) {
