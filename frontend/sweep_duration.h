@@ -28,7 +28,8 @@ class SweepDuration {
   void Tell(double sweep_s);
 
   // From the first beam to the last one, s, by which scans are to be deskewed; negative where the
-  // beams of a scan are listed in the opposite order of time. 0 until another duration is told or proven.
+  // beams of a scan are listed in the opposite order of time. 0 until another duration is told or
+  // proven.
   double value_s() const { return value_s_; }
 
   // The poses of the scans to come are those of another frame.

@@ -14,7 +14,7 @@ namespace gmapping_spa::conversion {
 namespace {
 
 constexpr std::size_t kChunkBytes = 768 << 10;  // as rosbag has it
-constexpr std::size_t kHeaderRecordBytes = 4096;
+constexpr std::size_t kHeaderRecordBytes = 4096;  // without the two lengths
 constexpr std::string_view kFirstLine = "#ROSBAG V2.0\n";
 
 // name=value fields, each behind its length.
@@ -77,7 +77,7 @@ void Ros1BagWriter::WriteBagHeader(std::uint64_t index_byte) {
                             .Put("conn_count", static_cast<std::uint32_t>(connections_.size()))
                             .Put("chunk_count", num_chunks_);
   // Blanks leave room for other sizes of the fields.
-  const std::string blanks(kHeaderRecordBytes - 8 - header.bytes().size(), ' ');
+  const std::string blanks(kHeaderRecordBytes - header.bytes().size(), ' ');
   std::string record;
   AppendRecord(header, blanks, &record);
   out_ << record;
