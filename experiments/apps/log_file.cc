@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -14,11 +15,29 @@ namespace gmapping_spa::apps {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// A gzipped bag would pass for a CARMEN log without a scan. Pipes can be read only once.
+void RefusePackedBag(const std::string& path) {
+  if (!fs::is_regular_file(path)) return;
+  std::string bytes(16, '\0');
+  const std::unique_ptr<std::istream> in = OpenInput(path);
+  in->read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(in->gcount()));
+  if (!rosbag::BeginsAsABag(bytes)) return;
+  throw std::runtime_error(path +
+                           ": expected a bag, found one packed by gzip: unpack it first "
+                           "(gunzip)");
+}
+
+}  // namespace
+
 LogFile OpenLogFile(const std::string& path, const sensor::LogOptions& options) {
   if (rosbag::IsBag(path)) {
     rosbag::Bag bag = rosbag::OpenBag(path, options);
     return {std::move(bag.reader), std::move(bag.report), "messages"};
   }
+  RefusePackedBag(path);
   return {sensor::OpenCarmenLog(OpenInput(path), path, options), nullptr, "lines"};
 }
 

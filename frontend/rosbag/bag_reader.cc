@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "frontend/rosbag/scan_beams.h"
+#include "frontend/rosbag/unpack.h"
 #include "frontend/sensor/record_fields.h"
 
 namespace gmapping_spa::rosbag {
@@ -25,6 +26,15 @@ constexpr double kTilted_rad = 0.1;
 // A double has no room for nanoseconds since 1970; what is nearest to them is taken.
 double Seconds(std::int64_t time_ns) {
   return static_cast<double>(static_cast<long double>(time_ns) / 1e9L);
+}
+
+std::string UnpackMessage(const BagMessage& message) {
+  const std::optional<std::uint64_t> size = ZstdSize(message.data);
+  if (!size) {
+    throw MalformedRecord("expected a message packed by zstd that tells its size, up to " +
+                          std::to_string(kMaxChunkBytes) + " bytes");
+  }
+  return Unpack(Packing::kZstd, message.data, *size, *message.file, message.place);
 }
 
 bool IsSame(const SE2& a, const SE2& b) {
@@ -127,14 +137,21 @@ sensor::LogCounts BagReader::counts() const {
 }
 
 bool BagReader::Read() {
-  const std::optional<BagMessage> message = source_->Next();
+  std::optional<BagMessage> message = source_->Next();
   if (!message) {
     at_end_ = true;
     return false;
   }
   ++num_messages_;
   newest_ns_ = message->time_ns;
+  std::string unpacked;
   try {
+    // rosbag2 packs messages by themselves when told to; plain CDR begins with a zero.
+    if (source_->contents().topics[message->topic].encoding == Encoding::kCdr &&
+        IsZstd(message->data)) {
+      unpacked = UnpackMessage(*message);
+      message->data = unpacked;
+    }
     Take(*message);
   } catch (const MalformedRecord& malformed) {
     const std::string error =
@@ -234,7 +251,7 @@ void BagReader::Mount(const std::string& frame, ScanRecord* record) {
   const bool is_new = !mountings_.contains(frame);
   const Mounting& mounting = MountingOf(frame);
   if (is_new) {
-    report_->base_frame = frames_.base_frame();
+    report_->base_frame = frames_.base_frame().empty() ? mounting.base_frame : frames_.base_frame();
     report_->lasers.push_back({frame, mounting.robot_T_frame, mounting.upside_down,
                                mounting.tilt_rad, mounting.base_frame.empty() ? "assumed" : "tf"});
   }
@@ -243,7 +260,8 @@ void BagReader::Mount(const std::string& frame, ScanRecord* record) {
     for (sensor::Beam& beam : record->scan.beams) beam.angle_rad = -beam.angle_rad;
   }
   if (mounting.base_frame.empty()) ++num_assumed_poses_;
-  if (!mounting.base_frame.empty() && mounting.base_frame != frames_.base_frame()) {
+  const std::string& robot = frames_.base_frame();
+  if (!mounting.base_frame.empty() && !robot.empty() && mounting.base_frame != robot) {
     ++num_other_bases_;
   }
   if (mounting.tilt_rad > kTilted_rad) ++num_tilted_;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "backend/se2.h"
@@ -43,6 +44,9 @@ struct Bag {
   std::unique_ptr<sensor::LogReader> reader;
   std::shared_ptr<const BagReport> report;  // grows while scans are read
 };
+
+// Whether these are the first bytes of a bag, 16 at least where there are as many.
+bool BeginsAsABag(std::string_view bytes);
 
 // Whether a file begins as a bag does, or the path is that of a folder.
 bool IsBag(const std::string& path);

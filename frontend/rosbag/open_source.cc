@@ -27,13 +27,16 @@ std::string FirstBytes(const std::string& path) {
 
 }  // namespace
 
+bool BeginsAsABag(std::string_view bytes) {
+  return bytes.starts_with(kRos1Magic) || bytes.starts_with(kMcapMagic) ||
+         bytes.starts_with(kSqliteMagic) || IsZstd(bytes);
+}
+
 bool IsBag(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return true;
   if (!std::filesystem::is_regular_file(path, ignored)) return false;
-  const std::string bytes = FirstBytes(path);
-  return bytes.starts_with(kRos1Magic) || bytes.starts_with(kMcapMagic) ||
-         bytes.starts_with(kSqliteMagic) || IsZstd(bytes);
+  return BeginsAsABag(FirstBytes(path));
 }
 
 std::unique_ptr<MessageSource> OpenSource(const std::string& path) {

@@ -22,8 +22,7 @@ TEST(MessageFields, AlignsNumbersOfCdrBehindItsHeader) {
 }
 
 TEST(MessageFields, ReadsCdrOfTheOtherByteOrder) {
-  const std::string bytes =
-      "\0\0\0\0\0\0\0\2a\0\0\0\x3f\xf0\0\0\0\0\0\0\0\0\0\1\x40\0\0\0"s;
+  const std::string bytes = "\0\0\0\0\0\0\0\2a\0\0\0\x3f\xf0\0\0\0\0\0\0\0\0\0\1\x40\0\0\0"s;
   MessageFields fields(bytes, Encoding::kCdr);
   EXPECT_EQ(fields.Text("text"), "a");
   EXPECT_EQ(fields.Take<double>("number"), 1.0);

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <zstd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -237,6 +238,18 @@ TEST_F(OpenBagTest, MessageWithoutAStampHasThatOfItsRecording) {
   const ReadBag read = ReadAll(bag_.Finish());
   EXPECT_EQ(read.scans.at(0).stamp_s, 5.0);
   EXPECT_EQ(read.counts.at("stamps_of_recording"), 1);
+}
+
+// As rosbag2 writes with the compression mode "message".
+TEST_F(OpenBagTest, MessagesMayBePackedByThemselves) {
+  const std::string message = ScanBytes(Encoding::kCdr, kSecond_ns);
+  std::string packed(ZSTD_compressBound(message.size()), '\0');
+  packed.resize(ZSTD_compress(packed.data(), packed.size(), message.data(), message.size(), 1));
+  bag_.Write("/scan", "sensor_msgs/LaserScan", kSecond_ns, packed);
+  bag_.Write("/scan", "sensor_msgs/LaserScan", 2 * kSecond_ns, packed.substr(0, 6));
+  const ReadBag read = ReadAll(bag_.Finish());
+  EXPECT_EQ(read.scans.at(0).beams.size(), 5u);
+  EXPECT_EQ(read.counts.at("malformed_records"), 1);
 }
 
 TEST_F(OpenBagTest, PackedFileIsToBeUnpacked) {
