@@ -59,7 +59,7 @@ class ControlInput {
   LidarOdometry lidar_odometry_;
   std::optional<backend::SE2> odom_T_previous_;  // of kRaw: what the log last said
   StandStill stand_still_;                       // of kRaw
-  bool has_reported_sweep_ = false;
+  bool has_reported_sweep_ = false, has_contradicted_sweep_ = false;
   bool has_reported_calibration_ = false;
   bool has_seen_ = false;               // any obstacle so far
   std::vector<double> blind_stamps_s_;  // of scans without a hit that are not reported yet

@@ -14,9 +14,10 @@
 
 namespace gmapping_spa::frontend {
 
-// CARMEN logs do not tell it, and what bags tell is wrong at times. A laser of 75 turns a second bends nothing; one of 5 turns a second bends a
-// scan by 12 degrees while the robot turns by 60 degrees a second. Scans of a steady turn are all
-// bent alike and fit each other: a scan of a turn is compared with the last one before it.
+// CARMEN logs do not tell it, and what bags tell is wrong at times. A laser of 75 turns a second
+// bends nothing; one of 5 turns a second bends a scan by 12 degrees while the robot turns by 60
+// degrees a second. Scans of a steady turn are all bent alike and fit each other: a scan of a turn
+// is compared with the last one before it.
 class SweepDuration {
  public:
   // `known_s`: the duration, where it is known; it is not learned then.
@@ -26,6 +27,8 @@ class SweepDuration {
 
   // What the log says, 0 for nothing. It counts until it is proven to be far off.
   void Tell(double sweep_s);
+  // Whether it is.
+  bool contradicts_log() const { return is_proven_ && told_s_ > 0.0; }
 
   // From the first beam to the last one, s, by which scans are to be deskewed; negative where the
   // beams of a scan are listed in the opposite order of time. 0 until another duration is told or

@@ -13,7 +13,7 @@
 namespace gmapping_spa::conversion {
 namespace {
 
-constexpr std::size_t kChunkBytes = 768 << 10;  // as rosbag has it
+constexpr std::size_t kChunkBytes = 768 << 10;    // as rosbag has it
 constexpr std::size_t kHeaderRecordBytes = 4096;  // without the two lengths
 constexpr std::string_view kFirstLine = "#ROSBAG V2.0\n";
 
