@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -20,6 +19,7 @@
 #include "experiments/apps/input_file.h"
 #include "experiments/apps/log_flags.h"
 #include "experiments/apps/output_files.h"
+#include "experiments/apps/progress_bar.h"
 #include "experiments/conversion/bag_sink.h"
 #include "experiments/conversion/carmen_sink.h"
 #include "experiments/conversion/db3_writer.h"
@@ -95,6 +95,7 @@ void Run() {
   const std::unique_ptr<conversion::RecordSink> sink =
       MakeSink(output.extension().string(), path, out);
   std::int64_t scans = 0, odometry = 0;
+  ProgressBar progress("records", 0);
   while (std::optional<sensor::LogRecord> record = reader->Next()) {
     ThrowIfInterrupted();
     if (const auto* scan = std::get_if<sensor::ScanRecord>(&*record)) {
@@ -104,6 +105,7 @@ void Run() {
       ++odometry;
       sink->OnOdometry(std::get<sensor::OdometryRecord>(*record));
     }
+    progress.Update(scans + odometry);
   }
   sink->Finish();
   if (!is_database && !out.flush()) throw std::runtime_error(FLAGS_output + ": cannot be written");

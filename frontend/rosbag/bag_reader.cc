@@ -110,7 +110,9 @@ std::optional<sensor::LogRecord> BagReader::Next() {
     if (!options_.robot_T_laser) Mount(held.frame, scan);
   } else if (!options_.base_frame.empty() && choice_.has_tf) {
     auto& odometry = std::get<sensor::OdometryRecord>(held.record);
-    odometry.odom_T_robot = odometry.odom_T_robot * Inverse(MountingOf(held.frame).robot_T_frame);
+    Decide(held.frame);
+    odometry.odom_T_robot =
+        odometry.odom_T_robot * Inverse(mountings_.at(held.frame).robot_T_frame);
   }
   sensor::LogRecord record = std::move(held.record);
   held_.pop_front();
@@ -235,23 +237,25 @@ std::optional<Mounting> BagReader::Find(const std::string& frame, bool may_assum
   }
 }
 
-const Mounting& BagReader::MountingOf(const std::string& frame) {
+bool BagReader::Decide(const std::string& frame) {
   const auto known = mountings_.find(frame);
-  if (known != mountings_.end()) return known->second;
+  if (known != mountings_.end() && !known->second.base_frame.empty()) return false;
   std::optional<Mounting> mounting = Find(frame, false);
+  if (known != mountings_.end() && !mounting) return false;
   while (!mounting && MayWait()) {
     Read();
     mounting = Find(frame, false);
   }
   if (!mounting) mounting = Find(frame, true);
-  return mountings_[frame] = *mounting;
+  report_->base_frame = frames_.base_frame().empty() ? mounting->base_frame : frames_.base_frame();
+  mountings_[frame] = *mounting;
+  return true;
 }
 
 void BagReader::Mount(const std::string& frame, ScanRecord* record) {
-  const bool is_new = !mountings_.contains(frame);
-  const Mounting& mounting = MountingOf(frame);
+  const bool is_new = Decide(frame);
+  const Mounting& mounting = mountings_.at(frame);
   if (is_new) {
-    report_->base_frame = frames_.base_frame().empty() ? mounting.base_frame : frames_.base_frame();
     report_->lasers.push_back({frame, mounting.robot_T_frame, mounting.upside_down,
                                mounting.tilt_rad, mounting.base_frame.empty() ? "assumed" : "tf"});
   }

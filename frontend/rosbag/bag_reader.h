@@ -51,8 +51,9 @@ class BagReader : public sensor::RecordReader {
   bool MayWait() const;
   // How a frame lies on the robot, by what tf has told so far.
   std::optional<Mounting> Find(const std::string& frame, bool may_assume) const;
-  // Likewise; reads on until that is known, and sticks to it.
-  const Mounting& MountingOf(const std::string& frame);
+  // Puts that into mountings_: reads on until it is known, and sticks to it unless it was assumed.
+  // Whether it is new.
+  bool Decide(const std::string& frame);
   void Mount(const std::string& frame, sensor::ScanRecord* record);
 
   std::unique_ptr<MessageSource> source_;

@@ -72,6 +72,8 @@ class Summary {
     for (ByteCursor counts = record.PrefixedCursor("counts"); !counts.empty();) {
       const auto id = counts.Take<std::uint16_t>("a channel's id");
       const auto count = counts.Take<std::uint64_t>("a count");
+      // Where channels are not repeated, the summary is not whole.
+      if (!directory_.topic_of_id.contains(id)) continue;
       directory_.AddMessages(id, static_cast<std::int64_t>(count), counts);
     }
   }

@@ -86,7 +86,7 @@ async function write(path, kind) {
     useChunkIndex: kind !== "no_index" && !no_summary,
     useStatistics: !no_summary,
     useSummaryOffsets: !no_summary,
-    repeatChannels: !no_summary,
+    repeatChannels: !no_summary && kind !== "no_channels",
     repeatSchemas: !no_summary,
   });
   await writer.start({profile: "ros2", library: "test"});

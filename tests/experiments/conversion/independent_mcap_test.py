@@ -53,7 +53,7 @@ class IndependentMcap(unittest.TestCase):
         self.assertEqual(scan["ranges"], [1, 2, 3, None, 4])  # infinity in JSON
 
     def test_is_read_with_and_without_chunks_and_index(self):
-        for kind in ("chunks", "no_chunks", "no_index", "no_summary"):
+        for kind in ("chunks", "no_chunks", "no_channels", "no_index", "no_summary"):
             with self.subTest(kind):
                 mcap = self.folder / f"{kind}.mcap"
                 self.run_node("write", str(mcap), kind)

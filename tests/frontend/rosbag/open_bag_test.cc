@@ -168,6 +168,18 @@ TEST_F(OpenBagTest, LaserWithoutATransformIsWhereTheRobotIsAndCounted) {
   EXPECT_EQ(read.report.lasers.at(0).from, "assumed");
 }
 
+TEST_F(OpenBagTest, LaserPoseThatWasAssumedGivesWayToATransform) {
+  bag_.Odometry(kSecond_ns, Planar(0, 0, 0));
+  bag_.Tf(kSecond_ns, "base_link", "camera", Planar(0.3, 0.0, 0.0));
+  for (int i = 2; i < 30; ++i) bag_.Scan(i * kSecond_ns);
+  bag_.Tf(30 * kSecond_ns, "base_link", "laser", Planar(0.3, 0.0, 0.0));
+  for (int i = 31; i < 40; ++i) bag_.Scan(i * kSecond_ns);
+  const ReadBag read = ReadAll(bag_.Finish());
+  EXPECT_NEAR(read.scans.back().robot_T_laser.x, 0.3, 1e-12);
+  EXPECT_EQ(read.counts.at("laser_pose_assumed"), 28);
+  EXPECT_EQ(read.report.lasers.size(), 2u);
+}
+
 TEST_F(OpenBagTest, OtherFrameOfTheRobotIsTakenAndCountedWhereTheOdometrysIsNotConnected) {
   bag_.Odometry(kSecond_ns, Planar(0, 0, 0), "base_footprint");
   bag_.Tf(kSecond_ns, "base_link", "laser", Planar(0.3, 0.0, 0.0));
