@@ -108,7 +108,7 @@ void ControlInput::ReportSweep(const sensor::LaserScan& scan) {
   const std::string seen =
       "scans bend while the robot turns, as those of a laser that takes about " +
       milliseconds(sweep_s()) + " for a scan" + (sweep_s() < 0.0 ? ", the last beam first" : "");
-  const std::string consequence = "; they are deskewed from here on, all of them in the end";
+  const std::string consequence = "; scans are deskewed from here on, all of them in the end";
   const bool contradicts = lidar_odometry_.sweep_contradicts_log();
   if (contradicts && !has_contradicted_sweep_) {
     health_->Report(
