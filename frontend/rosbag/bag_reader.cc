@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "frontend/rosbag/byte_cursor.h"
 #include "frontend/rosbag/scan_beams.h"
 #include "frontend/rosbag/unpack.h"
 #include "frontend/sensor/record_fields.h"
@@ -34,7 +35,11 @@ std::string UnpackMessage(const BagMessage& message) {
     throw MalformedRecord("expected a message packed by zstd that tells its size, up to " +
                           std::to_string(kMaxChunkBytes) + " bytes");
   }
-  return Unpack(Packing::kZstd, message.data, *size, *message.file, message.place);
+  try {
+    return Unpack(Packing::kZstd, message.data, *size, *message.file, message.place);
+  } catch (const BagError&) {
+    throw MalformedRecord("expected a message packed by zstd, found a damaged one");
+  }
 }
 
 bool IsSame(const SE2& a, const SE2& b) {
