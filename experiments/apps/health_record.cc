@@ -68,11 +68,6 @@ constexpr CountMeaning kMeanings[] = {
     {"odometry_extrapolated", "scans are before or after all odometry and got the nearest one"},
 };
 
-std::int64_t CountOf(const sensor::LogCounts& counts, const std::string& name) {
-  const auto found = counts.find(name);
-  return found == counts.end() ? 0 : found->second;
-}
-
 Finding Untimed(const std::string& message, std::int64_t count) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   return {message, nan, nan, count};
@@ -91,6 +86,11 @@ Finding Summarize(const std::string& kind, const std::vector<Stretch>& stretches
 }
 
 }  // namespace
+
+std::int64_t CountOf(const sensor::LogCounts& counts, const std::string& name) {
+  const auto found = counts.find(name);
+  return found == counts.end() ? 0 : found->second;
+}
 
 Findings FindingsOf(const sensor::LogCounts& counts) {
   Findings findings;

@@ -81,11 +81,6 @@ Json HealthOf(const LogSummary& summary, const sensor::LogCounts& counts) {
   return ToJson(std::move(findings), {{"odometry_silent", summary.silent}});
 }
 
-std::int64_t CountOf(const sensor::LogCounts& counts, const std::string& name) {
-  const auto found = counts.find(name);
-  return found == counts.end() ? 0 : found->second;
-}
-
 std::string MountingSource(const sensor::LogCounts& counts, const sensor::LogOptions& options,
                            const rosbag::BagReport* bag) {
   if (options.robot_T_laser) return "--laser_pose";
