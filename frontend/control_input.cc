@@ -41,7 +41,7 @@ ScanMotion ControlInput::AddScan(const sensor::LaserScan& scan) {
     return AsLogged(scan);
   }
   ScanMotion motion = lidar_odometry_.MatchScan(scan, wheels);
-  ReportSweep(scan.stamp_s);
+  ReportSweep(scan);
   if (options_.source == OdometrySource::kWheel) {
     if (motion.wheels_rejected || motion.wheels_silent) {
       health_->Report("odometry_contradicted", scan.stamp_s,
@@ -99,15 +99,30 @@ void ControlInput::ReportBlind(const sensor::LaserScan& scan) {
   blind_stamps_s_.clear();
 }
 
-// Once.
-void ControlInput::ReportSweep(double stamp_s) {
-  if (has_reported_sweep_ || options_.lidar_odometry.sweep_duration_s || sweep_s() == 0.0) return;
+// Once, and once more where the log is wrong about it.
+void ControlInput::ReportSweep(const sensor::LaserScan& scan) {
+  if (options_.lidar_odometry.sweep_duration_s || sweep_s() == 0.0) return;
+  const auto milliseconds = [](double duration_s) {
+    return std::to_string(std::lround(1e3 * std::abs(duration_s))) + " ms";
+  };
+  const std::string seen =
+      "scans bend while the robot turns, as those of a laser that takes about " +
+      milliseconds(sweep_s()) + " for a scan" + (sweep_s() < 0.0 ? ", the last beam first" : "");
+  const std::string consequence = "; scans are deskewed from here on, all of them in the end";
+  const bool contradicts = lidar_odometry_.sweep_contradicts_log();
+  if (contradicts && !has_contradicted_sweep_) {
+    health_->Report(
+        "sweep_contradicted", scan.stamp_s,
+        seen + ", not " + milliseconds(scan.sweep_s) + " as the log tells" + consequence);
+  } else if (!has_reported_sweep_) {
+    health_->Report("scans_deskewed", scan.stamp_s,
+                    (scan.sweep_s > 0.0 ? "the log tells that the laser takes " +
+                                              milliseconds(scan.sweep_s) + " for a scan"
+                                        : seen) +
+                        consequence);
+  }
+  has_contradicted_sweep_ = has_contradicted_sweep_ || contradicts;
   has_reported_sweep_ = true;
-  health_->Report("scans_deskewed", stamp_s,
-                  "scans bend while the robot turns, as those of a laser that takes about " +
-                      std::to_string(std::lround(1e3 * std::abs(sweep_s()))) + " ms for a scan" +
-                      (sweep_s() < 0.0 ? ", the last beam first" : "") +
-                      "; they are deskewed from here on, all of them in the end");
 }
 
 // Once, when the numbers are more than rounding.

@@ -46,7 +46,7 @@ class ControlInput {
   ScanMotion AsLogged(const sensor::LaserScan& scan);
   void ReportFault(const sensor::OdometryCheck::Step& wheels, double stamp_s);
   void ReportBlind(const sensor::LaserScan& scan);
-  void ReportSweep(double stamp_s);
+  void ReportSweep(const sensor::LaserScan& scan);
   void ReportCalibration(double stamp_s);
   void ReportUnmatched(const ScanMotion& motion, const sensor::OdometryCheck::Step& wheels,
                        double stamp_s);
@@ -59,7 +59,7 @@ class ControlInput {
   LidarOdometry lidar_odometry_;
   std::optional<backend::SE2> odom_T_previous_;  // of kRaw: what the log last said
   StandStill stand_still_;                       // of kRaw
-  bool has_reported_sweep_ = false;
+  bool has_reported_sweep_ = false, has_contradicted_sweep_ = false;
   bool has_reported_calibration_ = false;
   bool has_seen_ = false;               // any obstacle so far
   std::vector<double> blind_stamps_s_;  // of scans without a hit that are not reported yet

@@ -88,6 +88,7 @@ LidarOdometry::LidarOdometry(const Options& options)
 ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
                                     const sensor::OdometryCheck::Step& wheels) {
   ++new_piece_scans_;
+  sweep_.Tell(scan.sweep_s);
   if (map_.empty()) {
     map_.Insert(scan, odom_T_robot_);
     stamp_s_ = scan.stamp_s;

@@ -86,6 +86,8 @@ class LidarOdometry {
   // Time from the first beam of a scan to the last one, s, by which scans are to be deskewed; 0
   // where they seem to be measured at once.
   double sweep_s() const;
+  // Whether that is far from what the log tells.
+  bool sweep_contradicts_log() const { return sweep_.contradicts_log(); }
   // By which the wheels' turns are corrected.
   const WheelCalibration& wheel_calibration() const { return wheel_trust_.calibration(); }
 

@@ -41,6 +41,7 @@ constexpr int kOneIn = 15;  // chances to measure is taken when there are that m
 constexpr std::size_t kProvenBy = 3;
 constexpr double kAgreeing = 0.8;      // part of the measurements that must
 constexpr double kShortest_s = 0.015;  // shorter ones bend no scan that a map would show
+constexpr double kFarOff_s = 0.03;     // what is told is more exact than what is measured
 
 double Speed(const Eigen::Vector3d& velocity) {
   return velocity.head<2>().norm() / kDistance_m + std::abs(velocity.z());
@@ -67,6 +68,12 @@ SweepDuration::SweepDuration(const map::OccupancyGrid::Options& grid,
       gauss_newton_(gauss_newton),
       is_known_(known_s.has_value()),
       value_s_(known_s.value_or(0.0)) {}
+
+void SweepDuration::Tell(double sweep_s) {
+  if (is_known_) return;
+  told_s_ = sweep_s;
+  if (!is_proven_) value_s_ = told_s_;
+}
 
 void SweepDuration::Learn(const sensor::LaserScan& scan, const SE2& odom_T_robot,
                           const Eigen::Vector3d& velocity) {
@@ -116,7 +123,9 @@ void SweepDuration::Measure(Reference* reference) {
       });
   if (measurements_.size() >= kProvenBy && std::abs(median_s) > kShortest_s &&
       static_cast<double>(agreeing) >= kAgreeing * static_cast<double>(measurements_.size())) {
-    value_s_ = median_s;
+    is_proven_ =
+        std::abs(median_s - told_s_) > (told_s_ > 0.0 ? std::max(kFarOff_s, 0.5 * told_s_) : 0.0);
+    value_s_ = is_proven_ ? median_s : told_s_;
   }
 }
 

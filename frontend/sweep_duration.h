@@ -14,9 +14,10 @@
 
 namespace gmapping_spa::frontend {
 
-// Logs do not tell it. A laser of 75 turns a second bends nothing; one of 5 turns a second bends a
-// scan by 12 degrees while the robot turns by 60 degrees a second. Scans of a steady turn are all
-// bent alike and fit each other: a scan of a turn is compared with the last one before it.
+// CARMEN logs do not tell it, and what bags tell is wrong at times. A laser of 75 turns a second
+// bends nothing; one of 5 turns a second bends a scan by 12 degrees while the robot turns by 60
+// degrees a second. Scans of a steady turn are all bent alike and fit each other: a scan of a turn
+// is compared with the last one before it.
 class SweepDuration {
  public:
   // `known_s`: the duration, where it is known; it is not learned then.
@@ -24,8 +25,14 @@ class SweepDuration {
                 const scan_matching::GaussNewton::Options& gauss_newton,
                 const std::optional<double>& known_s);
 
+  // What the log says, 0 for nothing. It counts until it is proven to be far off.
+  void Tell(double sweep_s);
+  // Whether it is.
+  bool contradicts_log() const { return is_proven_ && told_s_ > 0.0; }
+
   // From the first beam to the last one, s, by which scans are to be deskewed; negative where the
-  // beams of a scan are listed in the opposite order of time. 0 until another duration is proven.
+  // beams of a scan are listed in the opposite order of time. 0 until another duration is told or
+  // proven.
   double value_s() const { return value_s_; }
 
   // The poses of the scans to come are those of another frame.
@@ -68,6 +75,8 @@ class SweepDuration {
   int chances_ = 0;                       // to measure, since there are enough
   std::deque<Measurement> measurements_;  // lately
   bool is_known_;
+  bool is_proven_ = false;
+  double told_s_ = 0.0;
   double value_s_;
 };
 

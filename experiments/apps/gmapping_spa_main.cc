@@ -2,47 +2,38 @@
 // Runs SLAM on a sensor log and writes trajectory, map, picture, pose graph and run record.
 #include <gflags/gflags.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <iterator>
-#include <memory>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "experiments/apps/app.h"
-#include "experiments/apps/input_file.h"
+#include "experiments/apps/log_file.h"
 #include "experiments/apps/log_flags.h"
 #include "experiments/apps/output_files.h"
 #include "experiments/apps/progress_bar.h"
 #include "experiments/apps/slam_flags.h"
 #include "experiments/apps/slam_run.h"
-#include "frontend/sensor/open_log.h"
 
-DEFINE_string(log, "", "Sensor log (CARMEN), plain or gzipped.");
+DEFINE_string(
+    log, "", "Sensor log: a ROS 1 or ROS 2 bag (file or folder), or a CARMEN log, gzipped or not.");
 DEFINE_string(output_dir, "",
               "Folder for the trajectory, map, pose graph and record of the run; made if needed.");
 
 namespace gmapping_spa::apps {
 namespace {
 
-std::int64_t CountLines(const std::string& path) {
-  const std::unique_ptr<std::istream> in = OpenInput(path);
-  return std::count(std::istreambuf_iterator<char>(*in), {}, '\n');
-}
-
 sensor::LogCounts ProcessLog(const sensor::LogOptions& options, SlamRun* slam) {
-  ProgressBar progress("slam", CountLines(FLAGS_log));
-  const std::unique_ptr<sensor::LogReader> reader =
-      sensor::OpenCarmenLog(OpenInput(FLAGS_log), FLAGS_log, options);
-  while (const std::optional<sensor::LaserScan> scan = reader->Next()) {
+  const LogFile log = OpenLogFile(FLAGS_log, options);
+  ProgressBar progress("slam", ProgressTotal(log, FLAGS_log));
+  while (const std::optional<sensor::LaserScan> scan = log.reader->Next()) {
     if (ReceivedSignal() != 0) break;
     slam->AddScan(*scan);
-    progress.Update(reader->counts().at("lines"));
+    progress.Update(log.reader->counts().at(log.progress_count));
   }
-  return reader->counts();
+  return log.reader->counts();
 }
 
 // Told before the run is finished, with what the user can do about it.
@@ -56,8 +47,9 @@ void CheckThatBeamsHit(const sensor::LogCounts& counts, const sensor::LogOptions
 }
 
 Json LogToJson(const sensor::LogCounts& counts) {
-  const FileIdentity identity = IdentifyFile(FLAGS_log);
-  return {{"sha256", identity.sha256}, {"bytes", identity.bytes}, {"records", counts}};
+  Json json = IdentifyLog(FLAGS_log);
+  json["records"] = counts;
+  return json;
 }
 
 void Run() {

@@ -44,14 +44,29 @@ constexpr CountMeaning kMeanings[] = {
      "(--laser_pose overrides)"},
     {"laser_pose_mismatches",
      "records have a laser pose that contradicts the mounting of the laser (--laser_pose sets it)"},
+    {"laser_pose_assumed",
+     "scans are of a laser of which no transform tells where it is: it is taken to be where the "
+     "robot is (--laser_pose sets it)"},
+    {"laser_pose_other_base",
+     "scans are of a laser that transforms tell relative to base_link or base_footprint only: that "
+     "is taken for the frame of the odometry (--base_frame names another)"},
+    {"laser_pose_changes",
+     "scans are of a laser that transforms see elsewhere than at first: it is taken to stay there"},
+    {"laser_tilted", "scans are of a laser that is tilted; it is taken to be level"},
+    {"stamps_of_recording",
+     "messages have no stamp in their header: the time at which they were recorded was taken"},
+    {"several_scan_topics",
+     "topics have scans: /scan was taken (--scan_topic names another, inspect_log lists them)"},
+    {"several_odometry_topics",
+     "topics have odometry: /odom was taken (--odometry_topic names another, inspect_log lists "
+     "them)"},
+    {"unclosed_bag",
+     "bag was not closed by its recorder: it was read through for what its index would tell"},
+    {"cut_off_bytes", "bytes at the end of the bag are no whole record and were left out"},
+    {"missing_files", "files that metadata.yaml lists are not there"},
     {"scans_without_odometry", "scans have no odometry"},
     {"odometry_extrapolated", "scans are before or after all odometry and got the nearest one"},
 };
-
-std::int64_t CountOf(const sensor::LogCounts& counts, const std::string& name) {
-  const auto found = counts.find(name);
-  return found == counts.end() ? 0 : found->second;
-}
 
 Finding Untimed(const std::string& message, std::int64_t count) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -71,6 +86,11 @@ Finding Summarize(const std::string& kind, const std::vector<Stretch>& stretches
 }
 
 }  // namespace
+
+std::int64_t CountOf(const sensor::LogCounts& counts, const std::string& name) {
+  const auto found = counts.find(name);
+  return found == counts.end() ? 0 : found->second;
+}
 
 Findings FindingsOf(const sensor::LogCounts& counts) {
   Findings findings;

@@ -3,6 +3,7 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_HEALTH_RECORD_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_HEALTH_RECORD_H_
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ namespace gmapping_spa::apps {
 // By their kinds.
 using Findings = std::map<std::string, frontend::Finding>;
 using Stretches = std::map<std::string, std::vector<frontend::Stretch>>;
+
+// A count of a log's reader, 0 where the format has no such.
+std::int64_t CountOf(const sensor::LogCounts& counts, const std::string& name);
 
 // Those counts of a log's reader that its user should know, by their name; their times are nan,
 // since a reader counts only. Nothing of counts that are empty.

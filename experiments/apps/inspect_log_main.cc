@@ -3,21 +3,20 @@
 #include <gflags/gflags.h>
 
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 
 #include "experiments/apps/app.h"
-#include "experiments/apps/input_file.h"
 #include "experiments/apps/inspection_picture.h"
 #include "experiments/apps/inspection_report.h"
 #include "experiments/apps/inspection_text.h"
+#include "experiments/apps/log_file.h"
 #include "experiments/apps/log_flags.h"
 #include "experiments/apps/log_inspection.h"
 #include "experiments/apps/output_files.h"
-#include "frontend/sensor/open_log.h"
 
-DEFINE_string(log, "", "Sensor log (CARMEN), plain or gzipped.");
+DEFINE_string(
+    log, "", "Sensor log: a ROS 1 or ROS 2 bag (file or folder), or a CARMEN log, gzipped or not.");
 DEFINE_string(output_dir, "",
               "Folder for the picture inspect.png, made if needed. Empty: no picture.");
 DEFINE_bool(json, false, "Print the findings as JSON instead of text.");
@@ -30,14 +29,14 @@ void Run() {
   const sensor::LogOptions options = LogOptionsFromFlags();
   std::optional<OutputFiles> files;
   if (!FLAGS_output_dir.empty()) files.emplace(FLAGS_output_dir);
-  const std::unique_ptr<sensor::LogReader> reader =
-      sensor::OpenCarmenLog(OpenInput(FLAGS_log), FLAGS_log, options);
+  const LogFile log = OpenLogFile(FLAGS_log, options);
   LogInspector inspector(sensor::OdometryCheck::Options{});
-  while (const std::optional<sensor::LaserScan> scan = reader->Next()) {
+  while (const std::optional<sensor::LaserScan> scan = log.reader->Next()) {
     ThrowIfInterrupted();
     inspector.Add(*scan);
   }
-  const Json report = InspectionReport(inspector.summary(), reader->counts(), options);
+  const Json report =
+      InspectionReport(inspector.summary(), log.reader->counts(), options, log.bag.get());
   if (files) {
     WriteInspectionPicture(inspector.summary(), files->TemporaryPath("inspect.png"));
     files->Commit();

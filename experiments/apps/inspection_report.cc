@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/apps/bag_inspection.h"
 #include "experiments/apps/health_record.h"
 
 namespace gmapping_spa::apps {
@@ -80,10 +81,15 @@ Json HealthOf(const LogSummary& summary, const sensor::LogCounts& counts) {
   return ToJson(std::move(findings), {{"odometry_silent", summary.silent}});
 }
 
-std::string MountingSource(const sensor::LogCounts& counts, const sensor::LogOptions& options) {
+std::string MountingSource(const sensor::LogCounts& counts, const sensor::LogOptions& options,
+                           const rosbag::BagReport* bag) {
   if (options.robot_T_laser) return "--laser_pose";
-  return counts.at("laser_pose_used") > 0 ? "the laser poses of the records"
-                                          : "the log, or by default";
+  if (bag != nullptr && !bag->lasers.empty()) {
+    return bag->lasers.front().from == "tf" ? "the transforms"
+                                            : "default, as no transform tells it";
+  }
+  return CountOf(counts, "laser_pose_used") > 0 ? "the laser poses of the records"
+                                                : "the log, or by default";
 }
 
 // Beyond what is wrong: what makes SLAM hard.
@@ -117,7 +123,7 @@ std::vector<std::string> Advice(const LogSummary& summary, double fov_rad, std::
 }  // namespace
 
 Json InspectionReport(const LogSummary& summary, const sensor::LogCounts& counts,
-                      const sensor::LogOptions& options) {
+                      const sensor::LogOptions& options, const rosbag::BagReport* bag) {
   const std::vector<double>& periods_s = summary.periods_s;
   const double duration_s = summary.last_stamp_s - summary.first_stamp_s;
   const auto usual =
@@ -131,36 +137,39 @@ Json InspectionReport(const LogSummary& summary, const sensor::LogCounts& counts
                                            counts.at("beams_invalid"));
   const double fov_rad = std::abs(summary.last_beam_rad - summary.first_beam_rad);
   const backend::SE2& laser = summary.robot_T_laser;
-  return {{"records", counts},
-          {"scans", summary.scans},
-          {"first_stamp_s", summary.first_stamp_s},
-          {"duration_s", duration_s},
-          {"rate_hz", duration_s > 0.0 ? static_cast<double>(summary.scans - 1) / duration_s : 0.0},
-          {"median_period_s", Median(periods_s)},
-          {"longest_period_s",
-           periods_s.empty() ? 0.0 : *std::max_element(periods_s.begin(), periods_s.end())},
-          {"beam_counts", beam_counts},
-          {"field_of_view",
-           {{"first_deg", Degrees(summary.first_beam_rad)},
-            {"last_deg", Degrees(summary.last_beam_rad)},
-            {"assumed", counts.at("assumed_field_of_view") > 0}}},
-          {"ranges",
-           {{"hit_share", static_cast<double>(counts.at("beams_hit")) / beams},
-            {"no_return_share", static_cast<double>(counts.at("beams_no_return")) / beams},
-            {"invalid_share", static_cast<double>(counts.at("beams_invalid")) / beams},
-            {"range_min_m", options.range_min_m},
-            {"usable_range_m", options.usable_range_m},
-            {"shortest_hit_m", summary.shortest_hit_m},
-            {"longest_hit_m", summary.longest_hit_m},
-            {"hits_by_meter", summary.hits_by_meter}}},
-          {"laser_pose",
-           {{"x_m", laser.x},
-            {"y_m", laser.y},
-            {"theta_rad", laser.theta},
-            {"from", MountingSource(counts, options)}}},
-          {"odometry", Odometry(summary)},
-          {"health", HealthOf(summary, counts)},
-          {"advice", Advice(summary, fov_rad, usual->first)}};
+  Json report = {
+      {"records", counts},
+      {"scans", summary.scans},
+      {"first_stamp_s", summary.first_stamp_s},
+      {"duration_s", duration_s},
+      {"rate_hz", duration_s > 0.0 ? static_cast<double>(summary.scans - 1) / duration_s : 0.0},
+      {"median_period_s", Median(periods_s)},
+      {"longest_period_s",
+       periods_s.empty() ? 0.0 : *std::max_element(periods_s.begin(), periods_s.end())},
+      {"beam_counts", beam_counts},
+      {"field_of_view",
+       {{"first_deg", Degrees(summary.first_beam_rad)},
+        {"last_deg", Degrees(summary.last_beam_rad)},
+        {"assumed", CountOf(counts, "assumed_field_of_view") > 0}}},
+      {"ranges",
+       {{"hit_share", static_cast<double>(counts.at("beams_hit")) / beams},
+        {"no_return_share", static_cast<double>(counts.at("beams_no_return")) / beams},
+        {"invalid_share", static_cast<double>(counts.at("beams_invalid")) / beams},
+        {"range_min_m", options.range_min_m},
+        {"usable_range_m", options.usable_range_m},
+        {"shortest_hit_m", summary.shortest_hit_m},
+        {"longest_hit_m", summary.longest_hit_m},
+        {"hits_by_meter", summary.hits_by_meter}}},
+      {"laser_pose",
+       {{"x_m", laser.x},
+        {"y_m", laser.y},
+        {"theta_rad", laser.theta},
+        {"from", MountingSource(counts, options, bag)}}},
+      {"odometry", Odometry(summary)},
+      {"health", HealthOf(summary, counts)},
+      {"advice", Advice(summary, fov_rad, usual->first)}};
+  if (bag != nullptr) report["bag"] = BagToJson(*bag);
+  return report;
 }
 
 }  // namespace gmapping_spa::apps

@@ -5,6 +5,7 @@
 #include <iomanip>
 
 #include "backend/text.h"
+#include "experiments/apps/bag_inspection.h"
 
 namespace gmapping_spa::apps {
 namespace {
@@ -77,6 +78,7 @@ void PrintInspection(const std::string& name, const Json& report, std::ostream& 
       << " s on: " << Fixed(report["rate_hz"], 2) << " a second, mostly "
       << Fixed(report["median_period_s"], 3) << " s apart, at most "
       << Fixed(report["longest_period_s"], 3) << " s\n";
+  if (report.contains("bag")) PrintBag(report["bag"], out);
   out << "\nRecords:\n";
   for (const auto& [kind, count] : report["records"].items()) {
     if (count != 0) out << "  " << kind << ": " << count << '\n';

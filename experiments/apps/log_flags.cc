@@ -35,9 +35,10 @@ DEFINE_string(angle_min_deg, "",
               "of the log.");
 DEFINE_string(laser_pose, "",
               "Pose x,y,theta (m, m, rad) of the laser in the robot's frame, within 100 m and one "
-              "turn. Empty: that of the log.");
+              "turn. Empty: that of the log (of a bag: what the transforms say).");
 DEFINE_bool(laser_flipped, kDefaults.flipped,
-            "The laser is mounted upside down: beam angles change their sign.");
+            "The laser is mounted upside down: beam angles change their sign. Where the transforms "
+            "of a bag say that it is, they change once more.");
 DEFINE_double(reorder_window_s, kDefaults.reorder_window_s,
               "Time in s, from 0 to 1e6, by which a record of the log may be late and is still put "
               "in the order of stamps; a later one is taken for a clock that was set back.");
@@ -47,6 +48,17 @@ DEFINE_double(
 DEFINE_string(bad_record, NameOf(kBadRecord, kDefaults.bad_record),
               "What to do about records of the log that cannot be used: skip (and count them) or "
               "fail (at the first one, with its line number).");
+DEFINE_string(scan_topic, "",
+              "Topic of a bag with the laser scans. Empty: the only one with such, or /scan.");
+DEFINE_string(
+    odometry_topic, "",
+    "Topic of a bag with the odometry; one of transforms (/tf) takes it from these. Empty: "
+    "the only one with nav_msgs/Odometry, or /odom, or without any the transforms.");
+DEFINE_string(base_frame, "",
+              "Frame of the robot in a bag, whose poses are wanted. Empty: that of the odometry.");
+DEFINE_string(odom_frame, "",
+              "Frame of the odometry in a bag, where the transforms tell it. Empty: odom, or one "
+              "with that in its name.");
 
 namespace gmapping_spa::apps {
 namespace {
@@ -78,7 +90,8 @@ FlagGroups LogFlagGroups() {
   return {{"log",
            "Sensor log",
            {"usable_range_m", "range_min_m", "fov_deg", "angle_min_deg", "laser_pose",
-            "laser_flipped", "reorder_window_s", "gap_s", "bad_record"}}};
+            "laser_flipped", "reorder_window_s", "gap_s", "bad_record", "scan_topic",
+            "odometry_topic", "base_frame", "odom_frame"}}};
 }
 
 sensor::LogOptions LogOptionsFromFlags() {
@@ -92,6 +105,10 @@ sensor::LogOptions LogOptionsFromFlags() {
   options.reorder_window_s = InRange("reorder_window_s", FLAGS_reorder_window_s, 0.0, 1e6);
   options.gap_s = InRange("gap_s", FLAGS_gap_s, 1e-6, 1e12);
   options.bad_record = OneOf("bad_record", FLAGS_bad_record, kBadRecord);
+  options.scan_topic = FLAGS_scan_topic;
+  options.odometry_topic = FLAGS_odometry_topic;
+  options.base_frame = FLAGS_base_frame;
+  options.odom_frame = FLAGS_odom_frame;
   return options;
 }
 

@@ -70,7 +70,8 @@ DEFINE_string(
     sweep_duration_s, "auto",
     "Time in s, from -1 to 1, from the first beam of a scan to the last one, by which the scans of "
     "a moving robot are deskewed. Negative: the last beam is measured first; 0: all beams at once; "
-    "auto: learned from how scans bend when the robot turns. Not for --odometry=raw.");
+    "auto: what a bag says (time_increment), unless scans bend otherwise, else learned from how "
+    "they bend when the robot turns. Not for --odometry=raw.");
 DEFINE_string(scan_matcher, NameOf(kScanMatcher, kSlam.scan_matcher),
               "Scan matcher of the particles: hill_climbing or gauss_newton.");
 DEFINE_string(match_start, NameOf(kMatchStart, kSlam.match_start),

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a CARMEN log to a map: map_a_log LOG MAP writes MAP.pgm and MAP.yaml.
+// From a bag or a CARMEN log to a map: map_a_log LOG MAP writes MAP.pgm and MAP.yaml.
 #include <glog/logging.h>
 #include <gmapping_spa/map_server_io.h>
+#include <gmapping_spa/open_bag.h>
 #include <gmapping_spa/open_log.h>
 #include <gmapping_spa/slam.h>
 
@@ -13,13 +14,22 @@
 #include <string>
 #include <utility>
 
+namespace {
+
+std::unique_ptr<gmapping_spa::sensor::LogReader> OpenLog(const std::string& path) {
+  if (gmapping_spa::rosbag::IsBag(path)) return gmapping_spa::rosbag::OpenBag(path, {}).reader;
+  auto in = std::make_unique<std::ifstream>(path);
+  if (!*in) throw std::runtime_error("cannot read " + path);
+  return gmapping_spa::sensor::OpenCarmenLog(std::move(in), path, {});
+}
+
+}  // namespace
+
 int main(int argc, char** argv) try {
   if (argc != 3) throw std::runtime_error("usage: map_a_log LOG MAP");
   FLAGS_logtostderr = true;  // what SLAM warns of goes through glog
   google::InitGoogleLogging(argv[0]);
-  auto in = std::make_unique<std::ifstream>(argv[1]);
-  if (!*in) throw std::runtime_error(std::string("cannot read ") + argv[1]);
-  const auto log = gmapping_spa::sensor::OpenCarmenLog(std::move(in), argv[1], {});
+  const auto log = OpenLog(argv[1]);
 
   gmapping_spa::Slam slam;
   while (const auto scan = log->Next()) slam.AddScan(*scan);

@@ -78,7 +78,7 @@ ScanPoints MakeEndPoints(const sensor::LaserScan& scan) {
     const double s = std::sin(mount.theta + beam.angle_rad);
     points.push_back({mount.x + beam.range_m * c, mount.y + beam.range_m * s, -c, -s, beam.range_m,
                       std::clamp(weight_per_m * beam.range_m, kLeastWeight, 1.0)});
-    points.back().in_sweep = sensor::PlaceInSweep(k, scan.beams.size());
+    points.back().in_sweep = sensor::PlaceInSweep(scan, k);
   }
   return points;
 }

@@ -13,7 +13,7 @@
 namespace gmapping_spa::scan_matching {
 
 struct SweepFit {
-  backend::SE2 world_T_robot;  // in the middle of the sweep
+  backend::SE2 world_T_robot;  // at the stamp of the scan
   double sweep_s = 0.0;        // from the first beam to the last one
   double information = 0.0;    // inverse variance of that, 1 / s^2, as if beams were independent
   double inliers = 0.0;        // sum of the robust weights, of at most the number of points

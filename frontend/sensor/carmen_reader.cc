@@ -2,13 +2,12 @@
 #include "frontend/sensor/carmen_reader.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "backend/text.h"
+#include "frontend/sensor/checked_beams.h"
 
 namespace gmapping_spa::sensor {
 namespace {
@@ -133,7 +132,7 @@ ScanRecord CarmenReader::ParseFlaser(RecordFields fields) {
   record.told_robot_T_laser = Between(record.scan.odom_T_robot, odom_T_laser);
   record.mounting_is_known = has_mounting_ || options_.robot_T_laser;
   record.scan.beams =
-      CheckedBeams(ranges_m, TabulatedAngles(ranges_m.size()), options_.usable_range_m);
+      CheckedBeams(ranges_m, TabulatedAngles(ranges_m.size()), options_, std::nullopt);
   if (!options_.fov_rad) ++num_assumed_angles_;
   return record;
 }
@@ -142,7 +141,7 @@ ScanRecord CarmenReader::ParseFlaser(RecordFields fields) {
 // forward_safety_dist side_safety_dist turn_axis ipc_timestamp
 ScanRecord CarmenReader::ParseRobotLaser(RecordFields fields) const {
   ScanRecord record;
-  record.scan.beams = ParseBeamsWithAngles(fields);
+  ParseBeamsWithAngles(fields, &record);
   const SE2 odom_T_laser = fields.Pose("laser pose");
   record.has_odometry = true;
   record.scan.odom_T_robot = fields.Pose("robot pose");
@@ -157,7 +156,7 @@ ScanRecord CarmenReader::ParseRobotLaser(RecordFields fields) const {
 // <beams with angles> ipc_timestamp
 ScanRecord CarmenReader::ParseRawLaser(RecordFields fields) const {
   ScanRecord record;
-  record.scan.beams = ParseBeamsWithAngles(fields);
+  ParseBeamsWithAngles(fields, &record);
   record.scan.robot_T_laser = mounting();
   record.scan.stamp_s = ParseStamp(fields);
   return record;
@@ -200,7 +199,7 @@ double CarmenReader::ParseStamp(RecordFields& fields) const {
 
 // laser_type start_angle field_of_view angular_resolution maximum_range accuracy remission_mode
 // num_readings [ranges] num_remissions [remissions]
-std::vector<Beam> CarmenReader::ParseBeamsWithAngles(RecordFields& fields) const {
+void CarmenReader::ParseBeamsWithAngles(RecordFields& fields, ScanRecord* record) const {
   fields.Word("laser type");
   const double start_angle_rad = fields.FiniteNumber("start angle");
   const double fov_rad = fields.FiniteNumber("field of view");
@@ -214,24 +213,8 @@ std::vector<Beam> CarmenReader::ParseBeamsWithAngles(RecordFields& fields) const
   if (resolution_rad == 0.0 && ranges_m.size() > 1) {
     angles.step_rad = fov_rad / static_cast<double>(ranges_m.size() - 1);
   }
-  // A reading at the sensor's own limit is no return either; some logs leave that field at zero.
-  const double usable_range_m = maximum_range_m > options_.range_min_m
-                                    ? std::min(options_.usable_range_m, maximum_range_m)
-                                    : options_.usable_range_m;
-  return CheckedBeams(ranges_m, angles, usable_range_m);
-}
-
-std::vector<Beam> CarmenReader::CheckedBeams(const std::vector<double>& ranges_m, BeamAngles angles,
-                                             double usable_range_m) const {
-  if (ranges_m.empty()) throw MalformedRecord("expected at least one range, found 0 of them");
-  angles = OverriddenAngles(angles, ranges_m.size(), options_);
-  const double span_rad = std::abs(angles.step_rad) * static_cast<double>(ranges_m.size() - 1);
-  constexpr double kMaxSpan = 2.0 * std::numbers::pi * 1.01;  // a turn, and rounded resolutions
-  if (ranges_m.size() > 1 && !(span_rad > 0.0 && span_rad <= kMaxSpan)) {
-    throw MalformedRecord("expected beams within one turn, found them to span " +
-                          std::to_string(span_rad) + " rad");
-  }
-  return MakeBeams(ranges_m, angles, options_.range_min_m, usable_range_m);
+  record->scan.beams = CheckedBeams(ranges_m, angles, options_, maximum_range_m);
+  if (maximum_range_m > 0.0) record->maximum_range_m = maximum_range_m;
 }
 
 }  // namespace gmapping_spa::sensor

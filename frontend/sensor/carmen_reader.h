@@ -40,9 +40,7 @@ class CarmenReader : public RecordReader {
   void ParseParameter(RecordFields fields);
   // The ipc time stamp, which ends what is read of a record.
   double ParseStamp(RecordFields& fields) const;
-  std::vector<Beam> ParseBeamsWithAngles(RecordFields& fields) const;
-  std::vector<Beam> CheckedBeams(const std::vector<double>& ranges_m, BeamAngles angles,
-                                 double usable_range_m) const;
+  void ParseBeamsWithAngles(RecordFields& fields, ScanRecord* record) const;
   backend::SE2 mounting() const { return options_.robot_T_laser.value_or(robot_T_front_laser_); }
 
   std::unique_ptr<std::istream> in_;

@@ -10,12 +10,15 @@
 
 namespace gmapping_spa::sensor {
 
-// When a beam is measured: -0.5 for the first beam of the sweep, 0.5 for the last one.
-inline double PlaceInSweep(std::size_t beam, std::size_t num_beams) {
-  return num_beams < 2 ? 0.0 : static_cast<double>(beam) / static_cast<double>(num_beams - 1) - 0.5;
+// When a beam is measured, since the stamp of the scan, in sweeps: from -0.5 for the first beam to
+// 0.5 for the last one, or, where the log tells the sweep, from 0 to 1.
+inline double PlaceInSweep(const LaserScan& scan, std::size_t beam) {
+  if (scan.beams.size() < 2) return 0.0;
+  const double part = static_cast<double>(beam) / static_cast<double>(scan.beams.size() - 1);
+  return scan.sweep_s > 0.0 ? part : part - 0.5;
 }
 
-// Moves each beam to where the laser is in the middle of the sweep. `motion`: of the robot from the
+// Moves each beam to where the laser is at the stamp of the scan. `motion`: of the robot from the
 // first beam to the last one at constant velocity, a twist in the robot frame (m, m, rad). Ranges
 // and angles change, the number of beams and their order do not.
 LaserScan Deskew(LaserScan scan, const Eigen::Vector3d& motion);

@@ -30,6 +30,9 @@ struct LaserScan {
   backend::SE2 robot_T_laser;  // mounting
   std::vector<Beam> beams;     // in order of measurement
   bool has_odometry = true;    // false: the log has none for this scan, odom_T_robot is not set
+  // Time from the first beam, which the stamp is that of, to the last one, s. 0: the log does not
+  // tell; the stamp is then taken for the middle.
+  double sweep_s = 0.0;
 };
 
 }  // namespace gmapping_spa::sensor

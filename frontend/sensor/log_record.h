@@ -21,6 +21,8 @@ struct ScanRecord {
   bool has_odometry = false;  // whether the record came with scan.odom_T_robot
   std::int64_t line = 0;      // in the file, from 1
 
+  double maximum_range_m = 0.0;  // of the laser, as the record says; 0 where it does not
+
   // Of records whose laser pose may or may not tell the mounting (see LaserMountingReader).
   std::optional<backend::SE2> told_robot_T_laser;
   bool mounting_is_known = false;  // scan.robot_T_laser was said by the log's parameters or options

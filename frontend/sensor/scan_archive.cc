@@ -31,7 +31,7 @@ Beam Unpacked(double angle_rad, float packed) {
 
 int ScanArchive::Add(const LaserScan& scan, const Eigen::Vector3d& velocity) {
   Entry entry{scan.index, scan.stamp_s, scan.odom_T_robot, scan.robot_T_laser,
-              nullptr,    {},           velocity};
+              nullptr,    {},           velocity,          scan.sweep_s};
   entry.ranges_m.reserve(scan.beams.size());
   for (const Beam& beam : scan.beams) entry.ranges_m.push_back(Packed(beam));
 
@@ -47,8 +47,11 @@ int ScanArchive::Add(const LaserScan& scan, const Eigen::Vector3d& velocity) {
     for (const Beam& beam : scan.beams) angles_rad.push_back(beam.angle_rad);
     entry.angles_rad = std::make_shared<const std::vector<double>>(std::move(angles_rad));
   }
-  // Half of the sweep comes after the stamp.
-  if (!scans_.empty()) scans_.back().velocity = 0.5 * (latest_velocity_ + velocity);
+  // Half of the sweep comes after the stamp, or all of it.
+  if (!scans_.empty()) {
+    Entry& before = scans_.back();
+    before.velocity = before.sweep_s > 0.0 ? velocity : 0.5 * (latest_velocity_ + velocity);
+  }
   latest_velocity_ = velocity;
   scans_.push_back(std::move(entry));
   return size() - 1;
@@ -57,6 +60,7 @@ int ScanArchive::Add(const LaserScan& scan, const Eigen::Vector3d& velocity) {
 LaserScan ScanArchive::Get(int position) const {
   const Entry& entry = scans_.at(position);
   LaserScan scan{entry.index, entry.stamp_s, entry.odom_T_robot, entry.robot_T_laser, {}};
+  scan.sweep_s = entry.sweep_s;
   scan.beams.reserve(entry.ranges_m.size());
   for (std::size_t k = 0; k < entry.ranges_m.size(); ++k) {
     scan.beams.push_back(Unpacked((*entry.angles_rad)[k], entry.ranges_m[k]));

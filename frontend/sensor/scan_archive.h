@@ -40,6 +40,7 @@ class ScanArchive {
     std::shared_ptr<const std::vector<double>> angles_rad;
     std::vector<float> ranges_m;  // negative: no return up to there; 0: invalid
     Eigen::Vector3d velocity;
+    double sweep_s;  // as the log tells it
   };
   std::vector<Entry> scans_;
   Eigen::Vector3d latest_velocity_ = Eigen::Vector3d::Zero();

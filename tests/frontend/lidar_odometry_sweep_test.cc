@@ -20,8 +20,9 @@ class SlowLaser : public testing::Test {
   static constexpr double kInterval_s = 0.2;
   static constexpr double kSweep_s = 0.18;
 
-  // The heading at the end, less what was estimated.
-  double TurnAndCompare(const std::optional<double>& known_sweep_s = std::nullopt) {
+  // The heading at the end, less what was estimated. `told_sweep_s`: by the log, as bags do.
+  double TurnAndCompare(const std::optional<double>& known_sweep_s = std::nullopt,
+                        double told_sweep_s = 0.0) {
     LidarOdometry::Options options;
     options.sweep_duration_s = known_sweep_s;
     LidarOdometry odometry(options);
@@ -33,13 +34,16 @@ class SlowLaser : public testing::Test {
       const Eigen::Vector3d velocity(0.0, 0.0, turn_rad_s);
       const SE2 before = truth;
       truth = truth * backend::Exp(kInterval_s * velocity);
-      sensor::LaserScan scan =
-          synthetic::ScanOnTheMove(synthetic::Room(), truth, kSweep_s * velocity, laser);
+      const Eigen::Vector3d motion = kSweep_s * velocity;
+      // Stamps are those of the first beam then.
+      const SE2 middle = told_sweep_s > 0.0 ? truth * backend::Exp(0.5 * motion) : truth;
+      sensor::LaserScan scan = synthetic::ScanOnTheMove(synthetic::Room(), middle, motion, laser);
+      scan.sweep_s = told_sweep_s;
       scan.stamp_s = 10.0 + kInterval_s * k;
       // Wheels that turn 5 % too little.
       const SE2 wheels = backend::Exp(0.95 * backend::Log(Between(before, truth)));
-      const ScanMotion motion = odometry.MatchScan(scan, {k == 0 ? SE2{} : wheels});
-      estimate = k == 0 ? truth : estimate * motion.motion;
+      const ScanMotion matched = odometry.MatchScan(scan, {k == 0 ? SE2{} : wheels});
+      estimate = k == 0 ? truth : estimate * matched.motion;
     }
     sweep_s_ = odometry.sweep_s();
     return std::abs(backend::WrapAngle(truth.theta - estimate.theta));
@@ -58,6 +62,16 @@ TEST_F(SlowLaser, LosesItsHeadingWithoutThat) { EXPECT_GT(TurnAndCompare(0.0), 0
 TEST_F(SlowLaser, MayBeTold) {
   EXPECT_LT(TurnAndCompare(kSweep_s), 0.05);
   EXPECT_EQ(sweep_s_, kSweep_s);
+}
+
+TEST_F(SlowLaser, MayBeToldByTheLog) {
+  EXPECT_LT(TurnAndCompare({}, kSweep_s), 0.05);
+  EXPECT_EQ(sweep_s_, kSweep_s);
+}
+
+TEST_F(SlowLaser, IsFoundOutWhereTheLogIsWrong) {
+  EXPECT_LT(TurnAndCompare({}, 0.01), 0.1);
+  EXPECT_NEAR(sweep_s_, kSweep_s, 0.02);
 }
 
 TEST_F(SlowLaser, TakesNoLongerThanFromScanToScan) {

@@ -76,6 +76,21 @@ TEST_F(TurningOnTheSpot, IsNotLearnedWhereItIsKnown) {
   EXPECT_EQ(sweep_.value_s(), 0.05);
 }
 
+TEST_F(TurningOnTheSpot, IsWhatTheLogTellsWhereThatFits) {
+  sweep_.Tell(0.09);
+  EXPECT_EQ(sweep_.value_s(), 0.09);
+  Turn(0.1, 1.2, 12);
+  EXPECT_EQ(sweep_.value_s(), 0.09);
+}
+
+TEST_F(TurningOnTheSpot, IsLearnedWhereTheLogTellsWhatCannotBe) {
+  sweep_.Tell(0.01);  // as drivers do that take the time from point to point for another
+  Turn(0.1, 1.2, 12);
+  EXPECT_NEAR(sweep_.value_s(), 0.1, 0.01);
+  sweep_.Tell(0.01);
+  EXPECT_NEAR(sweep_.value_s(), 0.1, 0.01);
+}
+
 TEST_F(TurningOnTheSpot, PosesOfTwoFramesAreNotMixedUp) {
   for (int turn = 0; turn < 8; ++turn) {
     Turn(0.0, 1.2, 6);

@@ -147,7 +147,8 @@ TEST_F(BadInput, RangesInCentimetersAreOneLineThatAsksForTheUnit) {
 
 TEST_F(BadInput, PathsThatCannotBeUsedAreOneLine) {
   ExpectOneLine(Run(GMAPPING_SPA, {"--log=" + folder_.Path("none")}), folder_.Path("none"));
-  ExpectOneLine(Run(GMAPPING_SPA, {"--log=" + folder_.path()}), "found a directory");
+  ExpectOneLine(Run(GMAPPING_SPA, {"--log=" + folder_.path()}),
+                "expected a folder with a bag, found no file");
   ExpectOneLine(Run(GMAPPING_SPA, {"--log=/dev/null"}), "expected a regular file");
   ExpectOneLine(Run(GMAPPING_SPA, {"--log="}), "--log=FILE is missing");
   for (const std::string& folder : {good_log_ + "/below", std::string("/proc/x"), good_log_}) {

@@ -13,10 +13,21 @@ namespace {
 using backend::SE2;
 
 TEST(PlaceInSweep, RunsFromMinusAHalfToAHalf) {
-  EXPECT_EQ(PlaceInSweep(0, 5), -0.5);
-  EXPECT_EQ(PlaceInSweep(2, 5), 0.0);
-  EXPECT_EQ(PlaceInSweep(4, 5), 0.5);
-  EXPECT_EQ(PlaceInSweep(0, 1), 0.0);
+  LaserScan scan;
+  scan.beams.resize(5);
+  EXPECT_EQ(PlaceInSweep(scan, 0), -0.5);
+  EXPECT_EQ(PlaceInSweep(scan, 2), 0.0);
+  EXPECT_EQ(PlaceInSweep(scan, 4), 0.5);
+  scan.beams.resize(1);
+  EXPECT_EQ(PlaceInSweep(scan, 0), 0.0);
+}
+
+TEST(PlaceInSweep, BeginsAtTheStampWhereTheLogTellsTheSweep) {
+  LaserScan scan;
+  scan.sweep_s = 0.1;
+  scan.beams.resize(5);
+  EXPECT_EQ(PlaceInSweep(scan, 0), 0.0);
+  EXPECT_EQ(PlaceInSweep(scan, 4), 1.0);
 }
 
 TEST(Deskew, LeavesScansOfARobotThatStandsStill) {
@@ -28,13 +39,13 @@ TEST(Deskew, LeavesScansOfARobotThatStandsStill) {
   }
 }
 
-// All that is seen lies on a wall, as seen from the middle of the sweep.
+// All that is seen lies on a wall, as seen from that pose.
 void ExpectOnWalls(const LaserScan& scan, const SE2& world_T_robot, double tolerance_m) {
   const synthetic::Walls walls = synthetic::Room();
   for (const Beam& beam : scan.beams) {
     const double range_m =
         synthetic::Range(walls, world_T_robot * scan.robot_T_laser * SE2{0, 0, beam.angle_rad});
-    // A corner may stand between where the laser was and where it is in the middle.
+    // A corner may stand between where the laser was and where it is there.
     if (std::abs(range_m - beam.range_m) > 0.3) continue;
     EXPECT_NEAR(beam.range_m, range_m, tolerance_m) << beam.angle_rad;
   }
@@ -48,6 +59,15 @@ TEST(Deskew, PutsWhatATurningAndDrivingRobotSeesBackOntoTheWalls) {
         synthetic::ScanOnTheMove(synthetic::Room(), middle, motion, {.robot_T_laser = mounting});
     ExpectOnWalls(Deskew(bent, motion), middle, 1e-9);
   }
+}
+
+TEST(Deskew, PutsBeamsToTheFirstOneWhereTheLogTellsTheSweep) {
+  const Eigen::Vector3d motion(0.15, 0.02, 0.2);
+  const SE2 first{0.4, -0.3, 0.8};
+  LaserScan bent =
+      synthetic::ScanOnTheMove(synthetic::Room(), first * backend::Exp(0.5 * motion), motion);
+  bent.sweep_s = 0.1;
+  ExpectOnWalls(Deskew(bent, motion), first, 1e-9);
 }
 
 TEST(Deskew, TurnsBeamsWithoutAReturnAlong) {
