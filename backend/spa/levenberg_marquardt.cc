@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gmapping_spa::spa {
 namespace {
@@ -18,6 +19,10 @@ constexpr double kLeastDamping = 1e-7;
 constexpr double kFirstDamping = 1e-4;
 constexpr double kLastDamping = 1e10;
 constexpr double kDampingFactor = 10.0;
+
+// A Gauss-Newton step of at most this part of the poses is rounding. It ends the optimization of
+// graphs whose edges agree, such as trees: a cost that is rounding itself has no smallest part.
+constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
 
 // From where on, as a fraction of the cost, a Gauss-Newton step may be the last one.
 constexpr double kLastStepDecrease = 1e-2;
@@ -38,6 +43,16 @@ double SquaredNorm(const PoseMatrix::Vector& step) {
   double sum = 0.0;
   for (const PoseMatrix::Segment& block : step) sum += block.squaredNorm();
   return sum;
+}
+
+// Of the free poses, in m and rad.
+double NormOf(const BlockStructure& structure, const std::vector<SE2>& poses) {
+  double sum = 0.0;
+  for (const int node : structure.node_of_column) {
+    const SE2& pose = poses[node];
+    sum += pose.x * pose.x + pose.y * pose.y + pose.theta * pose.theta;
+  }
+  return std::sqrt(sum);
 }
 
 double Raised(double damping) { return std::max(kFirstDamping, damping * kDampingFactor); }
@@ -76,7 +91,11 @@ bool LevenbergMarquardt::Minimize(const Options& options, const GraphProblem& pr
       record.step_norm = std::sqrt(SquaredNorm(step));
       const double predicted = PredictedDecrease(memory->equations, damping, step);
       AddStep(problem.structure.blocks(), step, &current);
-      if (damping <= kFirstDamping && predicted <= kLastStepDecrease * summary->final_cost) {
+      if (damping == 0.0 &&
+          record.step_norm <= kRounding * NormOf(problem.structure.blocks(), current)) {
+        record.cost = problem.CostAt(current);
+        converged = true;
+      } else if (damping <= kFirstDamping && predicted <= kLastStepDecrease * summary->final_cost) {
         // Near the minimum, the next Gauss-Newton step gains no more than the quadratic model was
         // wrong by.
         record.cost = problem.CostAt(current);

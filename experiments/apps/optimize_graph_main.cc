@@ -13,6 +13,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -98,10 +99,14 @@ std::string NameOf(const std::string& path) {
 // Files that appear whole or not at all: those of one folder together.
 class Outputs {
  public:
-  // The set of the folder of a file that will be written. An empty path: none.
+  // The set of the folder of a file that will be written. An empty path: none. Throws when that
+  // file is added already.
   void Add(const std::string& path) {
     if (path.empty()) return;
-    NameOf(path);
+    const fs::path file = fs::path(FolderOf(path)) / NameOf(path);
+    if (!files_.insert(fs::weakly_canonical(file)).second) {
+      throw std::runtime_error(path + ": is the file of two outputs");
+    }
     sets_.try_emplace(FolderOf(path), FolderOf(path));
   }
   OutputFiles& Of(const std::string& path) { return sets_.at(FolderOf(path)); }
@@ -115,6 +120,7 @@ class Outputs {
     return folder.empty() ? "." : folder.lexically_normal().string();
   }
   std::map<std::string, OutputFiles> sets_;
+  std::set<fs::path> files_;
 };
 
 // Of this process, and of a back end's own once it has ended.

@@ -54,6 +54,26 @@ TEST(LevenbergMarquardt, EndsWhereNoPoseCanBeChangedForTheBetter) {
   }
 }
 
+TEST(LevenbergMarquardt, EndsAtACostThatIsRounding) {
+  // A chain along an arc: its edges agree, and the smallest cost is zero but for rounding.
+  PoseGraph graph;
+  graph.nodes.resize(2000);
+  for (int k = 1; k < 2000; ++k) {
+    graph.nodes[k].id = k;
+    graph.nodes[k].world_T_node = {0.9 * k, 0.0, 0.0};
+    backend::Edge edge;
+    edge.i = k - 1;
+    edge.j = k;
+    edge.i_T_j = {1.01, 0.01, 0.001};
+    edge.information = Eigen::Vector3d(400, 400, 2500).asDiagonal();
+    graph.edges.push_back(edge);
+  }
+  const Outcome outcome = Minimize(graph, {});
+  EXPECT_EQ(outcome.summary.termination, Termination::kConverged);
+  EXPECT_LT(outcome.summary.final_cost, 1e-15);
+  EXPECT_LT(outcome.summary.iterations.size(), 10u);
+}
+
 TEST(LevenbergMarquardt, TakesNoStepAfterTheDeadline) {
   const PoseGraph graph = backend::RandomGraph(2);
   const Outcome outcome = Minimize(graph, {.deadline = std::chrono::steady_clock::now()});

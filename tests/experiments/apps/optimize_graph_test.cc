@@ -175,6 +175,14 @@ TEST_F(OptimizeGraph, SaysInOneLineWhatIsWrong) {
               HasSubstr("setting solver: expected one of block"));
 }
 
+TEST_F(OptimizeGraph, RefusesOneFileForTwoOutputs) {
+  const std::string output = folder_.Path("out");
+  EXPECT_THAT(ErrorOf({"--input=" + graph_, "--output=" + output,
+                       "--covariances=" + folder_.Path("./out")}),
+              HasSubstr("is the file of two outputs"));
+  EXPECT_FALSE(std::filesystem::exists(output));
+}
+
 TEST_F(OptimizeGraph, LeavesNoOutputBehindAFailure) {
   const std::string output = folder_.Path("new/out.g2o");
   ErrorOf({"--input=" + graph_, "--output=" + output, "--spa_max_nonmonotonic_steps=-1"});
