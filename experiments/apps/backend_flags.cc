@@ -162,7 +162,8 @@ void AddBackendSettings(backend::Options* options) {
 }
 
 std::unique_ptr<backend::Optimizer> LoadBackend() {
-  if (!(FLAGS_backend_timeout_s >= 0)) throw std::runtime_error("--backend_timeout_s is negative");
+  if (!(FLAGS_backend_timeout_s >= 0))
+    throw std::runtime_error("--backend_timeout_s: expected a number from 0");
   if (FLAGS_backend_timeout_s == 0) return backend::LoadOptimizer(FLAGS_backend);
   return std::make_unique<backend::ProcessOptimizer>(FLAGS_backend, FLAGS_backend_timeout_s);
 }
@@ -191,10 +192,13 @@ std::unique_ptr<backend::Optimizer> LoadOptimizerFromFlags() {
 }
 
 backend::Options OptionsFromFlags() {
-  if (FLAGS_max_iterations < 0) throw std::runtime_error("--max_iterations must not be negative");
-  if (!(FLAGS_cost_tolerance >= 0)) throw std::runtime_error("--cost_tolerance is negative");
-  if (!(FLAGS_loss_scale > 0)) throw std::runtime_error("--loss_scale must be positive");
-  if (!(FLAGS_max_solver_time_s >= 0)) throw std::runtime_error("--max_solver_time_s is negative");
+  if (FLAGS_max_iterations < 0)
+    throw std::runtime_error("--max_iterations: expected a number from 0");
+  if (!(FLAGS_cost_tolerance >= 0))
+    throw std::runtime_error("--cost_tolerance: expected a number from 0");
+  if (!(FLAGS_loss_scale > 0)) throw std::runtime_error("--loss_scale: expected a number above 0");
+  if (!(FLAGS_max_solver_time_s >= 0))
+    throw std::runtime_error("--max_solver_time_s: expected a number from 0");
   backend::Options options;
   if (FLAGS_max_solver_time_s > 0) options.max_solver_time_s = FLAGS_max_solver_time_s;
   options.max_iterations = FLAGS_max_iterations;

@@ -157,6 +157,12 @@ void Run() {
   const CovarianceChoice choice = ParseCovarianceChoice("--covariances_of", FLAGS_covariances_of);
   Outputs outputs;
   for (const std::string& path : {FLAGS_output, FLAGS_png, FLAGS_covariances}) outputs.Add(path);
+  for (const std::string& path : {FLAGS_png, FLAGS_covariances}) {
+    std::error_code unknown;
+    if (fs::equivalent(path, FLAGS_input, unknown)) {
+      throw std::runtime_error(path + ": is the input, which would be replaced by something else");
+    }
+  }
   const std::shared_ptr<backend::Optimizer> optimizer = LoadOptimizerFromFlags();
   const std::unique_ptr<backend::Optimizer> minimizer =
       FLAGS_certify ? backend::LoadOptimizer("spa") : nullptr;

@@ -183,6 +183,11 @@ TEST_F(OptimizeGraph, RefusesOneFileForTwoOutputs) {
   EXPECT_FALSE(std::filesystem::exists(output));
 }
 
+TEST_F(OptimizeGraph, RefusesToReplaceItsInputBySomethingElse) {
+  EXPECT_THAT(ErrorOf({"--input=" + graph_, "--covariances=" + graph_}), HasSubstr("is the input"));
+  EXPECT_EQ(Run({"--input=" + graph_, "--output=" + graph_}).status, 0);
+}
+
 TEST_F(OptimizeGraph, LeavesNoOutputBehindAFailure) {
   const std::string output = folder_.Path("new/out.g2o");
   ErrorOf({"--input=" + graph_, "--output=" + output, "--spa_max_nonmonotonic_steps=-1"});
