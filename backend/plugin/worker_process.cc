@@ -70,14 +70,13 @@ WorkerProcess::~WorkerProcess() {
 }
 
 bool WorkerProcess::EndsWithin(double time_s) {
-  using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::duration<double>(time_s);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(time_s);
   while (process_ > 0) {
     const pid_t ended = waitpid(process_, &status_, WNOHANG);
     if (ended != 0 && !(ended < 0 && errno == EINTR)) {
       if (ended < 0) status_ = 0;  // another part of the program has waited for it
       process_ = -1;
-    } else if (Clock::now() >= end) {
+    } else if (std::chrono::steady_clock::now() >= end) {
       return false;
     } else {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
