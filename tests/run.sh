@@ -10,6 +10,8 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 experiments/install_packages.sh checks experiments
+experiments/install_packages.sh packages ||
+  echo "run.sh: without mmdebstrap the packages are not tested" >&2
 experiments/install_packages.sh docs ||
   echo "run.sh: without Doxygen the documentation is not tested" >&2
 steps=("$@")
