@@ -4,7 +4,8 @@
 #   tests/run.sh          the format, a sample of clang-tidy, the release build and all tests; then the
 #                         sanitizers: short tests with ASan and UBSan, those with threads with TSan; and
 #                         two minutes of fuzzing
-#   tests/run.sh STEP...  only these: format, tidy, docs, fuzz, or a preset: release, dev, asan, tsan
+#   tests/run.sh STEP...  only these: format, tidy, docs, fuzz, packages (in a bare Debian, minutes), or a
+#                         preset: release, dev, asan, tsan
 # Tests on real logs find them in $GMAPPING_SPA_DATA or ../shared/data, and are skipped elsewhere.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -22,6 +23,11 @@ for step in "${steps[@]}"; do
     fuzz)
       experiments/install_packages.sh fuzz
       tests/fuzz.sh 12  # each of ten readers
+      ;;
+    packages)
+      experiments/install_packages.sh packages
+      cmake --preset release >/dev/null
+      GMAPPING_SPA_TEST_PACKAGES=1 ctest --preset release -R '^Packages'
       ;;
     docs)  # with release, a test builds them
       cmake --preset release >/dev/null

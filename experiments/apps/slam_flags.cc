@@ -143,8 +143,9 @@ DEFINE_double(unmatched_sigmas, kSlam.unmatched_sigmas,
 
 DEFINE_string(
     motion_noise, NameOf(kMotionNoise, kSlam.motion_noise),
-    "Motion model: noise is added to the motion between two updates as a whole (update) or to the "
-    "odometry's increment of each scan, so that a particle walks along at random (scan, as in "
+    "Motion model: what noise is added to: update (the motion between two updates as a whole) or "
+    "scan "
+    "(the odometry's increment of each scan, so that a particle walks along at random, as in "
     "GMapping). --motion_linear_... and the like are the standard deviations for that motion.");
 DEFINE_double(motion_linear_per_linear, kSlam.motion_linear_per_linear,
               "Motion model: standard deviation of the position along the motion, m per m driven, "

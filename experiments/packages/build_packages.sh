@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Builds the Debian packages of this source tree: gmapping-spa and libgmapping-spa-dev.
+#   experiments/packages/build_packages.sh [FOLDER] [CMake options...]
+# FOLDER, by default out/packages, gets the packages; options such as -DGMAPPING_SPA_CERES=OFF leave out parts.
+# The same commit on the same system makes the same bytes. Install them with
+#   apt-get install ./out/packages/*.deb
+set -euo pipefail
+if [[ ${1:-} == -h || ${1:-} == --help ]]; then
+  sed -n '3,7s/^# //p' "$0"
+  exit 0
+fi
+folder=$(realpath -m "out/packages")
+if [[ $# -gt 0 && $1 != -D* ]]; then
+  folder=$(realpath -m "$1")
+  shift
+fi
+cd "$(dirname "$0")/../.."
+
+experiments/install_packages.sh packages
+build=build-packages
+cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr \
+  -DGMAPPING_SPA_TESTS=OFF "$@" >/dev/null
+cmake --build "$build"
+
+# Stamps of files in packages.
+SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)
+export SOURCE_DATE_EPOCH
+rm -rf "$build/packages"
+(cd "$build" && cpack)
+mkdir -p "$folder"
+for package in "$build"/packages/*.deb; do
+  cp "$package" "$folder"
+  echo "$folder/${package##*/}"
+done
