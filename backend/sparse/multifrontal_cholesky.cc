@@ -134,7 +134,7 @@ class Factorization {
       const FrontEntry& entry = fronts_.entry[front.entry_begin + e];
       const auto block = matrix_.off_diagonal(entry.block);
       double* const to = panel + stride * kSize * position[structure_.row[entry.block]] +
-                         kSize * position[entry.column];
+                         std::ptrdiff_t{kSize} * position[entry.column];
       for (int a = 0; a < kSize; ++a) {
         for (int b = 0; b < kSize; ++b) to[stride * a + b] = block(a, b);
       }
