@@ -8,20 +8,19 @@
 #include "backend/sparse/dense_front.h"
 
 namespace gmapping_spa::spa::GMAPPING_SPA_KERNELS {
-namespace {
 
 // Up to this many rows, loops are faster than the blocked algorithms of Eigen.
-constexpr int kFewRows = 40;
+inline constexpr int kFewRows = 40;
 
 using Panel = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 using ConstPanel = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
 // a -= factor b, for the entries from `begin` to `end`.
-inline void Subtract(double factor, const double* b, int begin, int end, double* a) {
+static inline void Subtract(double factor, const double* b, int begin, int end, double* a) {
   for (int i = begin; i < end; ++i) a[i] -= factor * b[i];
 }
 
-bool Factorize(double* panel, int rows, int pivots) {
+static bool Factorize(double* panel, int rows, int pivots) {
   if (rows > kFewRows) {
     Panel top(panel, pivots, pivots, Eigen::OuterStride<>(rows));
     Panel below(panel + pivots, rows - pivots, pivots, Eigen::OuterStride<>(rows));
@@ -44,7 +43,7 @@ bool Factorize(double* panel, int rows, int pivots) {
   return true;
 }
 
-void Update(const double* panel, int rows, int pivots, double* update) {
+static void Update(const double* panel, int rows, int pivots, double* update) {
   const int rest = rows - pivots;
   if (rows > kFewRows) {
     const ConstPanel below(panel + pivots, rest, pivots, Eigen::OuterStride<>(rows));
@@ -61,7 +60,7 @@ void Update(const double* panel, int rows, int pivots, double* update) {
   }
 }
 
-void Substitute(const double* columns, int rows, int pivots, double* x) {
+static void Substitute(const double* columns, int rows, int pivots, double* x) {
   const double* column = columns;
   for (int j = 0; j < pivots; ++j) {
     x[j] /= column[0];
@@ -70,7 +69,7 @@ void Substitute(const double* columns, int rows, int pivots, double* x) {
   }
 }
 
-void SubstituteBack(const double* columns, int rows, int pivots, double* x) {
+static void SubstituteBack(const double* columns, int rows, int pivots, double* x) {
   const std::ptrdiff_t size =
       std::ptrdiff_t{pivots} * rows - std::ptrdiff_t{pivots} * (pivots - 1) / 2;
   const double* column = columns + size;
@@ -82,8 +81,6 @@ void SubstituteBack(const double* columns, int rows, int pivots, double* x) {
     x[j] = (x[j] - known) / column[0];
   }
 }
-
-}  // namespace
 
 extern const DenseFront kDenseFront;
 const DenseFront kDenseFront = {Factorize, Update, Substitute, SubstituteBack};
