@@ -35,7 +35,7 @@ def draw_box(x_min, y_min, x_max, y_max):
 for wall in ((0, 0, 20, 0.2), (0, 11.8, 20, 12), (0, 0, 0.2, 12), (19.8, 0, 20, 12)):
     draw_box(*wall)
 draw_box(5, 4, 15, 8)
-for x, y in ((3, 6), (17, 6.5), (8, 2.2), (12, 10), (6.5, 10.4)):
+for x, y in ((3, 6), (17, 6.5), (8, 1.2), (12, 10.6), (6.5, 10.8)):
     draw_box(x - 0.2, y - 0.2, x + 0.2, y + 0.2)
 world = gs.OccupancyMap(cells, RESOLUTION_M)
 

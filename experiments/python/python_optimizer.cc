@@ -109,7 +109,9 @@ backend::Summary PythonOptimizer::Call(const backend::Options& options,
   backend::Summary summary;
   summary.initial_cost = backend::GraphCost({nodes, edges}, options.loss);
   for (std::size_t k = 0; k < nodes.size(); ++k) {
-    if (!index.fixed[k]) nodes[k].world_T_node = poses[k];
+    if (index.fixed[k]) continue;
+    nodes[k].world_T_node = poses[k];
+    nodes[k].world_T_node.theta = backend::WrapAngle(poses[k].theta);
   }
   summary.final_cost = backend::GraphCost({nodes, edges}, options.loss);
   summary.termination = backend::Termination::kConverged;
