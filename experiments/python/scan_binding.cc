@@ -153,6 +153,9 @@ void BindScan(py::module_& module) {
              return py::str("<LaserScan of {} beams at {} s>")
                  .format(scan.beams.size(), scan.stamp_s);
            })
+      .def_readonly("index", &LaserScan::index,
+                    "Position among the scans of its log, whose lines need not be in the order of "
+                    "time; 0 for a scan from an array.")
       .def_readonly("stamp_s", &LaserScan::stamp_s, "Time of measurement, s.")
       .def_property_readonly(
           "odom_T_robot",
