@@ -10,7 +10,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-experiments/install_packages.sh checks experiments
+experiments/install_packages.sh checks experiments python
 experiments/install_packages.sh docs ||
   echo "run.sh: without Doxygen the documentation is not tested" >&2
 steps=("$@")

@@ -18,6 +18,7 @@
 
 #include "experiments/apps/command_line.h"
 #include "experiments/apps/flag_help.h"
+#include "experiments/apps/freed_memory.h"
 #include "experiments/apps/version.h"
 
 DECLARE_bool(help);
@@ -56,15 +57,6 @@ void InstallSignalHandlers() {
   // leaves nothing behind, instead of the end of the process.
   action.sa_handler = SIG_IGN;
   sigaction(SIGXFSZ, &action, nullptr);
-}
-
-// Loop closing and scan matching ask for megabytes again and again. By default the C library
-// returns them to the system each time, which then clears every page anew: a fifth of the CPU time.
-void KeepFreedMemory() {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the most that it takes
-  mallopt(M_TRIM_THRESHOLD, 1 << 30);
-#endif
 }
 
 }  // namespace

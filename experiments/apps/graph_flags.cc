@@ -4,34 +4,25 @@
 #include <gflags/gflags.h>
 
 #include "experiments/apps/flag_checks.h"
+#include "experiments/apps/slam_option_names.h"
 
 namespace {
 
 using gmapping_spa::SlamOptions;
-using gmapping_spa::backend::EnumName;
+using gmapping_spa::apps::kCorrectionNames;
+using gmapping_spa::apps::kEdgeInformationNames;
+using gmapping_spa::apps::kEdgeMeasurementNames;
+using gmapping_spa::apps::kGraphThreadNames;
 
 const SlamOptions kSlam;
-constexpr EnumName<SlamOptions::EdgeMeasurement> kEdgeMeasurement[] = {
-    {"lidar_odometry", SlamOptions::EdgeMeasurement::kLidarOdometry},
-    {"particle", SlamOptions::EdgeMeasurement::kParticle}};
-constexpr EnumName<SlamOptions::EdgeInformation> kEdgeInformation[] = {
-    {"proposal", SlamOptions::EdgeInformation::kProposal},
-    {"hessian", SlamOptions::EdgeInformation::kHessian},
-    {"constant", SlamOptions::EdgeInformation::kConstant}};
-constexpr EnumName<SlamOptions::GraphThread> kGraphThread[] = {
-    {"lockstep", SlamOptions::GraphThread::kLockstep},
-    {"async", SlamOptions::GraphThread::kAsync},
-    {"inline", SlamOptions::GraphThread::kInline}};
-constexpr EnumName<SlamOptions::Correction> kCorrection[] = {
-    {"pose", SlamOptions::Correction::kPose}, {"trajectory", SlamOptions::Correction::kTrajectory}};
 
 }  // namespace
 
-DEFINE_string(edge_measurement, NameOf(kEdgeMeasurement, kSlam.edge_measurement),
+DEFINE_string(edge_measurement, NameOf(kEdgeMeasurementNames, kSlam.edge_measurement),
               "What an edge between successive nodes of the pose graph measures: lidar_odometry "
               "(the motion found by matching every scan with the last ones; with --odometry=raw or "
               "wheel the same as particle) or particle (the step of the best particle).");
-DEFINE_string(edge_information, NameOf(kEdgeInformation, kSlam.edge_information),
+DEFINE_string(edge_information, NameOf(kEdgeInformationNames, kSlam.edge_information),
               "Information matrix of an edge between successive nodes of the pose graph: proposal "
               "(inverse of the covariance of the improved proposal, eq. 12), hessian (of the scan "
               "match) or constant.");
@@ -74,7 +65,7 @@ DEFINE_int32(optimize_every, kSlam.optimize_every,
              "Number of nodes, from 1, that are added to the pose graph between two optimizations "
              "by the back end; it optimizes after each loop closure as well.");
 DEFINE_string(
-    graph_thread, NameOf(kGraphThread, kSlam.graph_thread),
+    graph_thread, NameOf(kGraphThreadNames, kSlam.graph_thread),
     "When the filter applies the graph that the back end optimizes in a thread of its own: "
     "lockstep (--lockstep_scans scans after the start: the same results every time), async (as "
     "soon as it is there) or inline (at the next scan, which waits for it).");
@@ -86,7 +77,7 @@ DEFINE_double(
     "Longest time in s, from 0, to wait for the back end when its result is due, ten times as long "
     "after the last scan. Then the run goes on without the result, and says so.");
 DEFINE_string(
-    correction, NameOf(kCorrection, kSlam.correction),
+    correction, NameOf(kCorrectionNames, kSlam.correction),
     "What an optimized graph moves of each particle (eq. 14): pose (its current pose, as the paper "
     "writes it) or trajectory (its whole trajectory, and its map is built anew).");
 
@@ -113,8 +104,10 @@ FlagGroups GraphFlagGroups() {
 }
 
 void AddGraphOptions(SlamOptions* options) {
-  options->edge_measurement = OneOf("edge_measurement", FLAGS_edge_measurement, kEdgeMeasurement);
-  options->edge_information = OneOf("edge_information", FLAGS_edge_information, kEdgeInformation);
+  options->edge_measurement =
+      OneOf("edge_measurement", FLAGS_edge_measurement, kEdgeMeasurementNames);
+  options->edge_information =
+      OneOf("edge_information", FLAGS_edge_information, kEdgeInformationNames);
 
   options->loop_closure = FLAGS_loop_closure;
   options->closure_min_path_length_m = FLAGS_closure_min_path_length_m;
@@ -129,10 +122,10 @@ void AddGraphOptions(SlamOptions* options) {
   options->closure_information_gain = FLAGS_closure_information_gain;
 
   options->optimize_every = FLAGS_optimize_every;
-  options->graph_thread = OneOf("graph_thread", FLAGS_graph_thread, kGraphThread);
+  options->graph_thread = OneOf("graph_thread", FLAGS_graph_thread, kGraphThreadNames);
   options->lockstep_scans = FLAGS_lockstep_scans;
   options->graph_timeout_s = FLAGS_graph_timeout_s;
-  options->correction = OneOf("correction", FLAGS_correction, kCorrection);
+  options->correction = OneOf("correction", FLAGS_correction, kCorrectionNames);
   options->final_optimization = FLAGS_final_optimization;
   options->refine = FLAGS_refine;
 }

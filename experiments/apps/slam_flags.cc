@@ -9,30 +9,19 @@
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/flag_checks.h"
 #include "experiments/apps/graph_flags.h"
+#include "experiments/apps/slam_option_names.h"
 
 namespace {
 
 using gmapping_spa::SlamOptions;
-using gmapping_spa::backend::EnumName;
+using gmapping_spa::apps::kLikelihoodNames;
+using gmapping_spa::apps::kMatchStartNames;
+using gmapping_spa::apps::kMotionNoiseNames;
+using gmapping_spa::apps::kOdometryNames;
+using gmapping_spa::apps::kProposalNames;
+using gmapping_spa::apps::kScanMatcherNames;
 
 const SlamOptions kSlam;
-constexpr EnumName<SlamOptions::Odometry> kOdometry[] = {
-    {"raw", SlamOptions::Odometry::kRaw},
-    {"wheel", SlamOptions::Odometry::kWheel},
-    {"lidar", SlamOptions::Odometry::kLidar},
-    {"lidar_only", SlamOptions::Odometry::kLidarOnly}};
-constexpr EnumName<SlamOptions::ScanMatcher> kScanMatcher[] = {
-    {"hill_climbing", SlamOptions::ScanMatcher::kHillClimbing},
-    {"gauss_newton", SlamOptions::ScanMatcher::kGaussNewton}};
-constexpr EnumName<SlamOptions::MatchStart> kMatchStart[] = {
-    {"prediction", SlamOptions::MatchStart::kPrediction}, {"draw", SlamOptions::MatchStart::kDraw}};
-constexpr EnumName<SlamOptions::Proposal> kProposal[] = {
-    {"gaussian", SlamOptions::Proposal::kGaussian}, {"match", SlamOptions::Proposal::kMatch}};
-constexpr EnumName<SlamOptions::Likelihood> kLikelihood[] = {
-    {"surface", SlamOptions::Likelihood::kSurface},
-    {"nearest_hit", SlamOptions::Likelihood::kNearestHit}};
-constexpr EnumName<SlamOptions::MotionNoise> kMotionNoise[] = {
-    {"update", SlamOptions::MotionNoise::kUpdate}, {"scan", SlamOptions::MotionNoise::kScan}};
 
 }  // namespace
 
@@ -55,7 +44,7 @@ DEFINE_double(resample_threshold, kSlam.resample_threshold,
               "Particles are resampled when their effective number N_eff (eq. 17) falls below this "
               "part, 0 to 1, of their number.");
 DEFINE_string(
-    odometry, NameOf(kOdometry, kSlam.odometry),
+    odometry, NameOf(kOdometryNames, kSlam.odometry),
     "Control input of the filter: raw (the log's odometry, right or wrong, as GMapping takes it), "
     "wheel (the log's odometry without impossible steps; scans tell how far to trust it), "
     "lidar (every scan is matched with the last ones, the wheels are a part of the prior) "
@@ -72,16 +61,16 @@ DEFINE_string(
     "a moving robot are deskewed. Negative: the last beam is measured first; 0: all beams at once; "
     "auto: what a bag says (time_increment), unless scans bend otherwise, else learned from how "
     "they bend when the robot turns. Not for --odometry=raw.");
-DEFINE_string(scan_matcher, NameOf(kScanMatcher, kSlam.scan_matcher),
+DEFINE_string(scan_matcher, NameOf(kScanMatcherNames, kSlam.scan_matcher),
               "Scan matcher of the particles: hill_climbing or gauss_newton.");
-DEFINE_string(match_start, NameOf(kMatchStart, kSlam.match_start),
+DEFINE_string(match_start, NameOf(kMatchStartNames, kSlam.match_start),
               "Where the scan matching of a particle starts: prediction (that of the odometry, or "
               "the best of --initial_guesses) or draw (one draw from the motion model, which is "
               "also the particle's pose if the match fails, as in GMapping).");
 DEFINE_int32(initial_guesses, kSlam.initial_guesses,
              "Number of draws from the motion model, from 0, among which scan matching chooses its "
              "start, besides the odometry's prediction; without effect with --match_start=draw.");
-DEFINE_string(proposal, NameOf(kProposal, kSlam.proposal),
+DEFINE_string(proposal, NameOf(kProposalNames, kSlam.proposal),
               "Pose of a particle after a scan match: gaussian (drawn from the improved proposal, "
               "the Gaussian of scan and odometry around the match, and weighted by its integral) "
               "or match (the match itself, weighted by its likelihood, as GMapping's program "
@@ -125,7 +114,7 @@ DEFINE_bool(free_cell_in_front, kSlam.free_cell_in_front,
             "In hill-climbing scan matching and with --likelihood=nearest_hit, a hit of the map "
             "explains a beam only where the cell before the hit, toward the laser, is not "
             "occupied. GMapping's program has this rule without effect.");
-DEFINE_string(likelihood, NameOf(kLikelihood, kSlam.likelihood),
+DEFINE_string(likelihood, NameOf(kLikelihoodNames, kSlam.likelihood),
               "Distance of a beam's end point in the likelihood, for weights and proposals: "
               "surface (to the surface that hits nearby form) or nearest_hit (to the nearest hit "
               "within a cell, as in GMapping).");
@@ -142,7 +131,7 @@ DEFINE_double(unmatched_sigmas, kSlam.unmatched_sigmas,
               "beam counts which the map does not explain.");
 
 DEFINE_string(
-    motion_noise, NameOf(kMotionNoise, kSlam.motion_noise),
+    motion_noise, NameOf(kMotionNoiseNames, kSlam.motion_noise),
     "Motion model: what noise is added to: update (the motion between two updates as a whole) or "
     "scan "
     "(the odometry's increment of each scan, so that a particle walks along at random, as in "
@@ -180,7 +169,7 @@ void AddFilterOptions(SlamOptions* options) {
   options->angular_update_rad = FLAGS_angular_update_rad;
   options->resample_threshold = FLAGS_resample_threshold;
   options->obs_sigma_gain = FLAGS_obs_sigma_gain;
-  options->odometry = OneOf("odometry", FLAGS_odometry, kOdometry);
+  options->odometry = OneOf("odometry", FLAGS_odometry, kOdometryNames);
   options->max_speed_m_s = FLAGS_max_speed_m_s;
   options->max_turn_rad_s = FLAGS_max_turn_rad_s;
   if (FLAGS_sweep_duration_s != "auto") {
@@ -193,8 +182,8 @@ void AddFilterOptions(SlamOptions* options) {
 }
 
 void AddMatchingOptions(SlamOptions* options) {
-  options->scan_matcher = OneOf("scan_matcher", FLAGS_scan_matcher, kScanMatcher);
-  options->match_start = OneOf("match_start", FLAGS_match_start, kMatchStart);
+  options->scan_matcher = OneOf("scan_matcher", FLAGS_scan_matcher, kScanMatcherNames);
+  options->match_start = OneOf("match_start", FLAGS_match_start, kMatchStartNames);
   options->initial_guesses = FLAGS_initial_guesses;
   options->match_linear_step_m = FLAGS_match_linear_step_m;
   options->match_angular_step_rad = FLAGS_match_angular_step_rad;
@@ -204,8 +193,8 @@ void AddMatchingOptions(SlamOptions* options) {
   options->match_min_score = FLAGS_match_min_score;
   options->score_sigma_m = FLAGS_score_sigma_m;
   options->free_cell_in_front = FLAGS_free_cell_in_front;
-  options->proposal = OneOf("proposal", FLAGS_proposal, kProposal);
-  options->likelihood = OneOf("likelihood", FLAGS_likelihood, kLikelihood);
+  options->proposal = OneOf("proposal", FLAGS_proposal, kProposalNames);
+  options->likelihood = OneOf("likelihood", FLAGS_likelihood, kLikelihoodNames);
   options->likelihood_sigma_m = FLAGS_likelihood_sigma_m;
   options->likelihood_gain = FLAGS_likelihood_gain;
   options->unseen_is_miss = FLAGS_unseen_is_miss;
@@ -213,7 +202,7 @@ void AddMatchingOptions(SlamOptions* options) {
 }
 
 void AddMotionOptions(SlamOptions* options) {
-  options->motion_noise = OneOf("motion_noise", FLAGS_motion_noise, kMotionNoise);
+  options->motion_noise = OneOf("motion_noise", FLAGS_motion_noise, kMotionNoiseNames);
   options->motion_linear_per_linear = FLAGS_motion_linear_per_linear;
   options->motion_lateral_per_linear = FLAGS_motion_lateral_per_linear;
   options->motion_linear_per_angular = FLAGS_motion_linear_per_angular;

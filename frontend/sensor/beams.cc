@@ -9,14 +9,16 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Beam MakeBeam(double angle_rad, double range_m, double range_min_m, double usable_range_m) {
+}  // namespace
+
+Beam MakeBeam(const BeamAngles& angles, std::size_t beam, double range_m, double range_min_m,
+              double usable_range_m) {
+  const double angle_rad = angles.first_rad + static_cast<double>(beam) * angles.step_rad;
   // Written so that nan fails the comparison.
   if (!(range_m >= range_min_m)) return {angle_rad, 0.0, BeamStatus::kInvalid};
   if (range_m >= usable_range_m) return {angle_rad, usable_range_m, BeamStatus::kNoReturn};
   return {angle_rad, range_m, BeamStatus::kHit};
 }
-
-}  // namespace
 
 BeamAngles TabulatedAngles(std::size_t num_beams) {
   if (num_beams == 1) return {0.0, 0.0};
@@ -40,8 +42,7 @@ std::vector<Beam> MakeBeams(const std::vector<double>& ranges_m, const BeamAngle
   std::vector<Beam> beams;
   beams.reserve(ranges_m.size());
   for (std::size_t i = 0; i < ranges_m.size(); ++i) {
-    const double angle_rad = angles.first_rad + static_cast<double>(i) * angles.step_rad;
-    beams.push_back(MakeBeam(angle_rad, ranges_m[i], range_min_m, usable_range_m));
+    beams.push_back(MakeBeam(angles, i, ranges_m[i], range_min_m, usable_range_m));
   }
   return beams;
 }

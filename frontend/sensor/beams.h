@@ -26,7 +26,10 @@ BeamAngles TabulatedAngles(std::size_t num_beams);
 // `angles` with what the options say instead: field of view, first angle, flipped mounting.
 BeamAngles OverriddenAngles(BeamAngles angles, std::size_t num_beams, const LogOptions& options);
 
-// Invalid: nan, negative, or below range_min_m. No return: usable_range_m or more, infinity.
+// Beam `beam`. Invalid: nan, negative, or below range_min_m. No return: usable_range_m or more,
+// infinity.
+Beam MakeBeam(const BeamAngles& angles, std::size_t beam, double range_m, double range_min_m,
+              double usable_range_m);
 std::vector<Beam> MakeBeams(const std::vector<double>& ranges_m, const BeamAngles& angles,
                             double range_min_m, double usable_range_m);
 
