@@ -23,6 +23,7 @@ cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFI
   -DGMAPPING_SPA_TESTS=OFF "$@" >/dev/null
 cmake --build "$build"
 
+umask 022  # which folders in packages have
 # Stamps of files in packages.
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGELOG.md)
 export SOURCE_DATE_EPOCH

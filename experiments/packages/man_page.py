@@ -28,8 +28,13 @@ def escape(text: str) -> str:
     return "\\&" + text if text.startswith(".") else text
 
 
+def breakable(value: str) -> str:
+    """A list of choices may be longer than a line."""
+    return escape(value).replace("|", "|\\:")
+
+
 def bold_name(name: str, value: str = "") -> str:
-    return f"\\fB{escape(name)}\\fR" + (f"=\\fI{escape(value)}\\fR" if value else "")
+    return f"\\fB{escape(name)}\\fR" + (f"=\\fI{breakable(value)}\\fR" if value else "")
 
 
 def value_name(flag: xml.Element) -> str:

@@ -31,25 +31,27 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "2D lidar SLAM with interchangeable pose-graph back ends")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME gmapping-spa)
 set(CPACK_COMPONENT_RUNTIME_DESCRIPTION
-"GMapping, the particle filter, with a pose graph that interchangeable back ends
-optimize while it runs, and whose result corrects the particles. Maps for ROS,
-trajectories and pose graphs (.g2o) from laser logs; an optimizer of pose graphs;
-a simulator; metrics of maps and trajectories.")
+  "GMapping, the particle filter, with a pose graph that interchangeable back
+ends optimize while it runs, and whose result corrects the particles. Maps for
+ROS, trajectories and pose graphs (.g2o) from laser logs; an optimizer of pose
+graphs; a simulator; metrics of maps and trajectories.")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS bash-completion)
 
 # The static libraries are linked by whoever links these, and find_package looks for what they use.
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libgmapping-spa-dev)
 set(CPACK_COMPONENT_DEV_DESCRIPTION
-"For development: headers, static libraries and the CMake package gmapping_spa: for programs that do
-SLAM or optimize pose graphs, and for back ends. With examples.")
+  "For development: headers, static libraries and the CMake package
+gmapping_spa, for programs that do SLAM or optimize pose graphs, and for back
+ends. With examples.")
 set(CPACK_GMAPPING_SPA_DEV_DEPENDS
   libboost-dev libeigen3-dev libgoogle-glog-dev libmetis-dev libsuitesparse-dev libyaml-cpp-dev
   pkg-config)
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-gmapping-spa)
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION
-"The Python module gmapping_spa: scans as NumPy arrays in, poses, maps and pose graphs out.")
+  "The Python module gmapping_spa: scans as NumPy arrays in, poses, maps and pose
+graphs out.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(CPACK_GMAPPING_SPA_PYTHON_DEPENDS python3 python3-numpy)
 

@@ -11,7 +11,7 @@ import examples
 
 def shown(page):
     """The page as man shows it, and what groff has to say against it."""
-    done = subprocess.run(["groff", "-man", "-Tascii", "-ww", "-P-c", "-rLL=100n", page],
+    done = subprocess.run(["groff", "-man", "-Tascii", "-ww", "-P-c", page],
                           capture_output=True, text=True)
     return re.sub(r".\x08", "", done.stdout), done.stderr
 
