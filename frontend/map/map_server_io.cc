@@ -49,10 +49,10 @@ std::string ReadBytes(const std::string& path) {
   Fail(path, "expected an image, found nothing to read");
 }
 
-// One number of a PGM or PPM header, after blanks and comments.
+// One number of a PGM or PPM header, after blanks and comments, which end where stb thinks.
 std::int64_t HeaderNumber(std::istream& in) {
   while ((in >> std::ws) && in.peek() == '#') {
-    in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+    for (char c = '#'; in && c != '\n' && c != '\r';) in.get(c);
   }
   std::int64_t number = -1;
   in >> number;
