@@ -37,7 +37,7 @@ std::string FrameId(MessageFields& fields, const char* what) {
   return frame;
 }
 
-MessageHeader Header(MessageFields& fields) {
+MessageHeader ReadHeader(MessageFields& fields) {
   MessageHeader header;
   if (fields.is_ros1()) fields.Take<std::uint32_t>("a sequence number");
   // ROS 2 counts seconds with a sign.
@@ -96,7 +96,7 @@ std::string_view Md5SumOf(MessageType type) {
 LaserScanMessage ParseLaserScan(std::string_view data, Encoding encoding, MessageType type) {
   MessageFields fields(data, encoding);
   LaserScanMessage scan;
-  scan.header = Header(fields);
+  scan.header = ReadHeader(fields);
   constexpr double kMostRad = 1e3;
   scan.angle_min_rad = Finite(fields.Take<float>("an angle"), kMostRad, "an angle");
   scan.angle_max_rad = Finite(fields.Take<float>("an angle"), kMostRad, "an angle");
@@ -122,7 +122,7 @@ LaserScanMessage ParseLaserScan(std::string_view data, Encoding encoding, Messag
 OdometryMessage ParseOdometry(std::string_view data, Encoding encoding) {
   MessageFields fields(data, encoding);
   OdometryMessage odometry;
-  odometry.header = Header(fields);
+  odometry.header = ReadHeader(fields);
   odometry.child_frame_id = FrameId(fields, "a frame");
   const auto [position, q] = TakePose(fields);
   // Not by a matrix, which would round: what a converter writes is to be read back exactly.
@@ -135,7 +135,7 @@ std::vector<TransformMessage> ParseTf(std::string_view data, Encoding encoding) 
   constexpr std::size_t kLeastBytes = 8 + 4 + 4 + 56;  // stamp, two names, transform
   std::vector<TransformMessage> transforms(fields.Count(kLeastBytes, "transforms"));
   for (TransformMessage& transform : transforms) {
-    transform.header = Header(fields);
+    transform.header = ReadHeader(fields);
     transform.child_frame_id = FrameId(fields, "a frame");
     const auto [translation, rotation] = TakePose(fields);
     transform.parent_T_child = Eigen::Translation3d(translation) * rotation.normalized();
