@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # packages_test.sh SOURCE: builds the packages of the folder SOURCE, installs them into a bare Debian 12 and
-# runs there what is in them. Status 77, which skips the test, where no such Debian can be had: that takes root,
-# mmdebstrap and Debian's archive, or where $GMAPPING_SPA_TEST_PACKAGES is empty. $GMAPPING_SPA_BARE_DEBIAN is a tarball of one, to save the minutes;
+# runs there what is in them. Status 77, which skips the test, where $GMAPPING_SPA_TEST_PACKAGES is empty
+# (tests/run.sh packages sets it) or no such Debian can be had: that takes root, mmdebstrap and Debian's
+# archive. $GMAPPING_SPA_BARE_DEBIAN is a tarball of one, to save the minutes;
 # $GMAPPING_SPA_PACKAGES is a folder of packages to test instead of building them.
 set -euo pipefail
 source=$1
