@@ -16,6 +16,7 @@
 #include "experiments/apps/progress_bar.h"
 #include "experiments/apps/slam_flags.h"
 #include "experiments/apps/slam_run.h"
+#include "experiments/apps/view_flags.h"
 
 DEFINE_string(
     log, "", "Sensor log: a ROS 1 or ROS 2 bag (file or folder), or a CARMEN log, gzipped or not.");
@@ -53,6 +54,7 @@ Json LogToJson(const sensor::LogCounts& counts) {
 }
 
 void Run() {
+  if (ViewsFinishedRuns()) return ViewFinishedRuns();
   if (FLAGS_log.empty()) throw std::runtime_error("--log=FILE is missing");
   if (FLAGS_output_dir.empty()) throw std::runtime_error("--output_dir=DIR is missing");
   // Pipes would be empty when they are read again: for the progress and for the hash.
@@ -63,13 +65,17 @@ void Run() {
   const sensor::LogOptions log_options = LogOptionsFromFlags();
   SlamRun slam;
   OutputFiles files(FLAGS_output_dir);
+  const auto live_view = LiveViewFromFlags(FLAGS_log, slam.resolution_m());
+  slam.SetObserver(live_view.get());
   const sensor::LogCounts log_counts = ProcessLog(log_options, &slam);
   if (slam.counts().updates == 0) ThrowIfInterrupted();  // nothing to write yet
   CheckThatBeamsHit(log_counts, log_options);
   const bool complete = slam.Finish([&] { return LogToJson(log_counts); }, log_counts, &files);
   files.Commit();
+  const int signal = ReceivedSignal();  // one that comes later ends the view alone
+  if (live_view) EndLiveView(live_view.get());
   const frontend::ImprovedGmapping::Counts& counts = slam.counts();
-  if (ReceivedSignal() != 0) {
+  if (signal != 0) {
     throw Interrupted("interrupted: the results in " + FLAGS_output_dir + " are " +
                       (complete ? std::string("complete")
                                 : "those of the first " + std::to_string(counts.scans) +
@@ -81,17 +87,19 @@ void Run() {
 
 FlagGroups AllFlagGroups() {
   const FlagGroups output = {{"output", "Input and output", {"log", "output_dir"}}};
-  return Join({output, LogFlagGroups(), SlamFlagGroups()});
+  return Join({output, ViewFlagGroups(), LogFlagGroups(), SlamFlagGroups()});
 }
 
 }  // namespace
 }  // namespace gmapping_spa::apps
 
 int main(int argc, char** argv) {
+  gmapping_spa::apps::CompleteViewFlag(argc, argv);
   return gmapping_spa::apps::RunApp(
       argc, argv,
       "makes a map and a trajectory from a sensor log.\n"
-      "Usage: gmapping_spa --log=FILE --output_dir=DIR [--flagfile=FILE] [flags]\n"
+      "Usage: gmapping_spa --log=FILE --output_dir=DIR [--flagfile=FILE] [--view] [flags]\n"
+      "       gmapping_spa --view=DIR[,DIR]\n"
       "Writes trajectory.tum, map.pgm, map.yaml, map.png, graph.g2o, loop_closures.csv and "
       "run.json.",
       gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);

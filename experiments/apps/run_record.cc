@@ -26,7 +26,9 @@ Json FlagValue(const gflags::CommandLineFlagInfo& flag) {
 Json ResultFlags() {
   // Of files it is the content that counts, which stands under "input".
   static const std::set<std::string> kNoInfluence = {"log",       "world",      "path",
-                                                     "obstacles", "output_dir", "threads"};
+                                                     "obstacles", "output_dir", "threads",
+                                                     "view", "view_port", "view_address",
+                                                     "view_wait", "view_keep", "view_origins"};
   Json json;
   for (const FlagGroup& group : FlagsByGroup()) {
     for (const std::string& name : group.flags) {

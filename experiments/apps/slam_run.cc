@@ -32,7 +32,10 @@ SlamRun::SlamRun(const SlamOptions& options)
 void SlamRun::AddScan(const sensor::LaserScan& scan) {
   backend::WithMemory("at scan " + std::to_string(counts().scans + 1) + " with the maps of " +
                           std::to_string(gmapping_.filter().particles().size()) + " particles",
-                      [&] { gmapping_.AddScan(scan); });
+                      [&] {
+                        const ScanResult result = gmapping_.AddScan(scan);
+                        if (observer_) observer_->AfterScan(gmapping_, scan, result);
+                      });
 }
 
 bool SlamRun::Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
@@ -46,11 +49,13 @@ bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::Log
                            OutputFiles* files) {
   stopwatch_.Lap("processing_s");
   const std::int64_t late = gmapping_.graph_thread().counts().late;
+  if (observer_) observer_->BeforeFinish();
   int signal = ReceivedSignal();
   const frontend::SlamResult estimate = signal == 0 ? gmapping_.Finish() : gmapping_.FinishEarly();
   // A signal during the final optimization may have cut it short.
   if (gmapping_.graph_thread().counts().late > late) signal = ReceivedSignal();
   stopwatch_.Lap("finish_s");
+  if (observer_) observer_->AfterFinish(gmapping_, estimate);
   const backend::Trajectory& trajectory = estimate.trajectory;
   const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, occupied_threshold_);
   if (map.cells.empty()) throw std::runtime_error("no scan saw anything: the map would be empty");

@@ -8,6 +8,7 @@
 #include "experiments/apps/json.h"
 #include "experiments/apps/output_files.h"
 #include "experiments/apps/run_record.h"
+#include "experiments/view/slam_observer.h"
 #include "frontend/api/slam_options.h"
 #include "frontend/improved_gmapping.h"
 #include "frontend/sensor/laser_scan.h"
@@ -19,6 +20,9 @@ class SlamRun {
  public:
   // Throws std::runtime_error with one line when a flag makes no sense.
   SlamRun();
+
+  // Tells `observer`, which outlives this or is null, how it goes.
+  void SetObserver(view::SlamObserver* observer) { observer_ = observer; }
 
   void AddScan(const sensor::LaserScan& scan);
 
@@ -32,6 +36,7 @@ class SlamRun {
   bool Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
               OutputFiles* files);
 
+  double resolution_m() const { return gmapping_.resolution_m(); }
   const frontend::ImprovedGmapping::Counts& counts() const { return gmapping_.counts(); }
 
  private:
@@ -42,6 +47,7 @@ class SlamRun {
   double occupied_threshold_;
   frontend::ImprovedGmapping gmapping_;
   Stopwatch stopwatch_;
+  view::SlamObserver* observer_ = nullptr;
 };
 
 }  // namespace gmapping_spa::apps

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/apps/finished_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "backend/graph/g2o_io.h"
+#include "experiments/apps/closure_table.h"
+#include "experiments/apps/input_file.h"
+#include "experiments/apps/json.h"
+#include "experiments/apps/staging_folder.h"
+#include "frontend/map/map_server_io.h"
+
+namespace gmapping_spa::apps {
+namespace {
+
+using view::Figures;
+
+double Distance(const backend::SE2& a, const backend::SE2& b) {
+  return (a.translation() - b.translation()).norm() + std::abs(backend::WrapAngle(a.theta - b.theta));
+}
+
+// Nodes are scans, in their order: the next pose of the trajectory that is the same, and where there
+// is none, the nearest one of all that are left.
+backend::Trajectory WithStamps(const backend::PoseGraph& graph,
+                               const backend::Trajectory& trajectory) {
+  constexpr double kSame = 1e-6;
+  backend::Trajectory nodes;
+  auto at = trajectory.begin();
+  for (const backend::Node& node : graph.nodes) {
+    const auto differs = [&](const backend::StampedPose& pose) {
+      return Distance(pose.world_T_robot, node.world_T_node);
+    };
+    auto found = std::find_if(at, trajectory.end(), [&](const auto& p) { return differs(p) < kSame; });
+    if (found == trajectory.end()) {
+      found = std::min_element(at, trajectory.end(),
+                               [&](const auto& a, const auto& b) { return differs(a) < differs(b); });
+    }
+    if (found != trajectory.end()) at = found;
+    nodes.push_back({at == trajectory.end() ? 0.0 : at->stamp_s, node.world_T_node});
+  }
+  return nodes;
+}
+
+view::HealthSnapshot HealthOf(const Json& record) {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  view::HealthSnapshot health;
+  for (const auto& [kind, entry] : record.at("health").items()) {
+    if (entry.contains("message")) {
+      health.findings[kind] = {.message = entry.at("message"),
+                               .first_stamp_s = entry.value("first_s", kUnknown),
+                               .last_stamp_s = entry.value("last_s", kUnknown),
+                               .count = entry.value("count", std::int64_t{1})};
+    }
+    for (const Json& stretch : entry.value("stretches", Json::array())) {
+      health.stretches[kind].push_back({stretch.at(0), stretch.at(1)});
+    }
+  }
+  return health;
+}
+
+// Closures are what a finished run tells over time.
+std::vector<Figures> HistoryOf(const view::GraphSnapshot& graph,
+                               const backend::Trajectory& trajectory) {
+  std::vector<Figures> history;
+  const std::size_t step = trajectory.size() / 1000 + 1;
+  for (std::size_t i = 0; i < trajectory.size(); i += step) {
+    Figures figures;
+    figures.stamp_s = trajectory[i].stamp_s;
+    figures.scans = static_cast<std::int64_t>(i) + 1;
+    figures.world_T_robot = trajectory[i].world_T_robot;
+    for (const loop_closure::ClosureRecord& candidate : graph.candidates) {
+      if (graph.nodes.at(candidate.node).stamp_s > figures.stamp_s) continue;
+      ++(candidate.verdict == loop_closure::Verdict::kAccepted ? figures.accepted_closures
+                                                               : figures.refused_closures);
+    }
+    history.push_back(figures);
+  }
+  return history;
+}
+
+view::FinishedRun ReadFiles(const std::string& folder) {
+  view::FinishedRun run;
+  view::Snapshot& snapshot = run.snapshot;
+  snapshot.phase = view::Phase::kFinished;
+  snapshot.finished_map = map::ReadMap(folder + "/map.yaml");
+  const std::string trajectory = folder + "/trajectory.tum", graph = folder + "/graph.g2o",
+                    closures = folder + "/loop_closures.csv", record = folder + "/run.json";
+  snapshot.trajectory = backend::ReadTum(*OpenInput(trajectory), trajectory);
+  if (snapshot.trajectory.empty()) throw std::runtime_error(trajectory + ": expected a pose");
+  view::GraphSnapshot graph_snapshot;
+  graph_snapshot.nodes =
+      WithStamps(backend::ReadG2o(*OpenInput(graph), graph), snapshot.trajectory);
+  graph_snapshot.candidates = ReadClosures(*OpenInput(closures), closures, graph_snapshot.nodes.size());
+  run.history = HistoryOf(graph_snapshot, snapshot.trajectory);
+  const Json json = Json::parse(*OpenInput(record), nullptr, /*allow_exceptions=*/false);
+  try {
+    snapshot.health = HealthOf(json);
+    snapshot.figures.updates = json.at("counts").at("updates");
+  } catch (const Json::exception& error) {
+    throw std::runtime_error(record + ": expected the record of a run (" + error.what() + ")");
+  }
+  snapshot.figures.stamp_s = snapshot.trajectory.back().stamp_s;
+  snapshot.figures.scans = std::ssize(snapshot.trajectory);
+  snapshot.figures.world_T_robot = snapshot.trajectory.back().world_T_robot;
+  if (!run.history.empty()) {
+    snapshot.figures.accepted_closures = run.history.back().accepted_closures;
+    snapshot.figures.refused_closures = run.history.back().refused_closures;
+  }
+  snapshot.graph = std::make_shared<const view::GraphSnapshot>(std::move(graph_snapshot));
+  run.title = {.name = std::filesystem::path(folder).lexically_normal().string(),
+               .is_live = false,
+               .resolution_m = snapshot.finished_map->resolution_m};
+  return run;
+}
+
+}  // namespace
+
+view::FinishedRun ReadFinishedRun(const std::string& folder) {
+  if (!std::filesystem::is_directory(folder)) {
+    throw std::runtime_error("--view: expected 'live' or a folder with results, found '" + folder +
+                             "'");
+  }
+  CompleteSet(folder);
+  return ReadFiles(folder);
+}
+
+}  // namespace gmapping_spa::apps
