@@ -72,17 +72,16 @@ void Run() {
   CheckThatBeamsHit(log_counts, log_options);
   const bool complete = slam.Finish([&] { return LogToJson(log_counts); }, log_counts, &files);
   files.Commit();
-  const int signal = ReceivedSignal();  // one that comes later ends the view alone
-  if (live_view) EndLiveView(live_view.get());
   const frontend::ImprovedGmapping::Counts& counts = slam.counts();
-  if (signal != 0) {
+  if (ReceivedSignal() != 0) {
     throw Interrupted("interrupted: the results in " + FLAGS_output_dir + " are " +
                       (complete ? std::string("complete")
                                 : "those of the first " + std::to_string(counts.scans) +
                                       " scans, without the final optimization"));
   }
   std::cout << counts.scans << " scans, " << counts.updates << " updates, " << counts.resamplings
-            << " resamplings; results in " << FLAGS_output_dir << '\n';
+            << " resamplings; results in " << FLAGS_output_dir << std::endl;
+  if (live_view) EndLiveView(live_view.get());
 }
 
 FlagGroups AllFlagGroups() {
