@@ -18,6 +18,7 @@
 #include "experiments/apps/input_file.h"
 #include "experiments/apps/json.h"
 #include "experiments/apps/staging_folder.h"
+#include "experiments/view/slam_snapshot.h"
 #include "frontend/map/map_server_io.h"
 
 namespace gmapping_spa::apps {
@@ -73,7 +74,8 @@ std::vector<Figures> HistoryOf(const view::GraphSnapshot& graph,
                                const backend::Trajectory& trajectory) {
   std::vector<Figures> history;
   const std::size_t step = trajectory.size() / 1000 + 1;
-  for (std::size_t i = 0; i < trajectory.size(); i += step) {
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    if (i % step != 0 && i + 1 != trajectory.size()) continue;
     Figures figures;
     figures.stamp_s = trajectory[i].stamp_s;
     figures.scans = static_cast<std::int64_t>(i) + 1;
@@ -95,7 +97,7 @@ view::FinishedRun ReadFiles(const std::string& folder) {
   snapshot.finished_map = map::ReadMap(folder + "/map.yaml");
   const std::string trajectory = folder + "/trajectory.tum", graph = folder + "/graph.g2o",
                     closures = folder + "/loop_closures.csv", record = folder + "/run.json";
-  snapshot.trajectory = backend::ReadTum(*OpenInput(trajectory), trajectory);
+  snapshot.trajectory = view::ByTime(backend::ReadTum(*OpenInput(trajectory), trajectory));
   if (snapshot.trajectory.empty()) throw std::runtime_error(trajectory + ": expected a pose");
   view::GraphSnapshot graph_snapshot;
   graph_snapshot.nodes =

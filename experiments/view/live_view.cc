@@ -14,7 +14,7 @@ namespace gmapping_spa::view {
 namespace {
 
 constexpr auto kPeriod = std::chrono::milliseconds(100);  // of snapshots
-constexpr auto kSpeedWindow = std::chrono::seconds(1);
+constexpr auto kSpeedWindow = std::chrono::milliseconds(500);
 constexpr auto kPauseWithoutClients = std::chrono::seconds(10);
 constexpr auto kPatience = std::chrono::seconds(2);
 constexpr std::size_t kHistoryRows = 2048;
@@ -32,6 +32,7 @@ LiveView::LiveView(const ServerOptions& options, const RunTitle& title,
 
 void LiveView::WaitForClient() {
   while (server_.CountClients() == 0 && !is_asked_to_stop_()) std::this_thread::sleep_for(kPeriod);
+  speed_since_ = Clock::now();
 }
 
 void LiveView::Keep() {
@@ -66,9 +67,13 @@ void LiveView::AfterScan(const frontend::ImprovedGmapping& gmapping, const senso
     Figures figures = FiguresOf(gmapping, scan.stamp_s, result.world_T_robot);
     figures.scans_per_s = scans_per_s_;
     history_.Add(figures);
+    unpublished_.push_back(figures);
   }
+  // A new client gets the history as a whole.
+  if (server_.CountClients() == 0) unpublished_.clear();
   if (SnapshotIsDue(is_paused)) {
     Snapshot snapshot = SnapshotOf(gmapping, scan, result);
+    snapshot.history = std::exchange(unpublished_, {});
     const auto& counts = gmapping.counts();
     if (counts.updates != published_updates_ || counts.corrections != published_corrections_) {
       snapshot.graph = GraphOf(gmapping);

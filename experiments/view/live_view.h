@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "experiments/view/figure_history.h"
 #include "experiments/view/pause_gate.h"
@@ -61,6 +62,7 @@ class LiveView : public SlamObserver {
   Clock::time_point speed_since_;
   std::int64_t scans_since_ = 0;
   double scans_per_s_;
+  std::vector<Figures> unpublished_;  // what was added to the history since, if somebody looks
   std::int64_t published_updates_ = 0, published_corrections_ = 0;  // of the graph
 };
 

@@ -112,12 +112,15 @@ MessagePtr ControlMessage(bool paused) {
 }
 
 MessagePtr FrameMessage(int run, const Snapshot& snapshot) {
+  json rows = json::array();
+  for (const Figures& figures : snapshot.history) rows.push_back(FiguresJson(figures));
   json particles = json::array();
   for (const ParticleSnapshot& p : snapshot.particles) particles.push_back(ParticleJson(p));
   return Dumped({{"op", "frame"},
                  {"run", run},
                  {"phase", PhaseName(snapshot.phase)},
                  {"figures", FiguresJson(snapshot.figures)},
+                 {"rows", std::move(rows)},
                  {"lost", snapshot.lost},
                  {"ambiguous", snapshot.ambiguous},
                  {"particles", std::move(particles)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/view/slam_snapshot.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -38,6 +39,12 @@ void AddHealth(const frontend::Health& health, Snapshot* snapshot) {
 }
 
 }  // namespace
+
+backend::Trajectory ByTime(backend::Trajectory trajectory) {
+  std::stable_sort(trajectory.begin(), trajectory.end(),
+                   [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; });
+  return trajectory;
+}
 
 Figures FiguresOf(const ImprovedGmapping& gmapping, double stamp_s,
                   const backend::SE2& world_T_robot) {
@@ -79,12 +86,12 @@ std::shared_ptr<const GraphSnapshot> GraphOf(const ImprovedGmapping& gmapping) {
 Snapshot SnapshotOf(const ImprovedGmapping& gmapping, const frontend::SlamResult& result) {
   Snapshot snapshot;
   snapshot.phase = Phase::kFinished;
-  const backend::StampedPose& last = result.trajectory.back();
+  snapshot.trajectory = ByTime(result.trajectory);
+  const backend::StampedPose& last = snapshot.trajectory.back();
   snapshot.figures = FiguresOf(gmapping, last.stamp_s, last.world_T_robot);
   AddHealth(gmapping.health(), &snapshot);
   snapshot.graph = std::make_shared<const GraphSnapshot>(
       GraphSnapshot{NodesOf(result.graph), gmapping.loop_closer().records()});
-  snapshot.trajectory = result.trajectory;
   snapshot.grid = result.map;
   return snapshot;
 }

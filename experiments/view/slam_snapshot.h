@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "backend/graph/trajectory_io.h"
 #include "experiments/view/snapshot.h"
 #include "frontend/api/scan_result.h"
 #include "frontend/improved_gmapping.h"
@@ -19,6 +20,9 @@ Figures FiguresOf(const frontend::ImprovedGmapping& gmapping, double stamp_s,
 // Without the graph. Costs a pointer a tile, and what particles and findings are.
 Snapshot SnapshotOf(const frontend::ImprovedGmapping& gmapping, const sensor::LaserScan& scan,
                     const ScanResult& result);
+
+// In the order of time, which that of a log need not be.
+backend::Trajectory ByTime(backend::Trajectory trajectory);
 
 // In time of the number of nodes and candidates.
 std::shared_ptr<const GraphSnapshot> GraphOf(const frontend::ImprovedGmapping& gmapping);

@@ -62,6 +62,7 @@ enum class Phase : std::uint8_t {
 struct Snapshot {
   Phase phase = Phase::kRunning;
   Figures figures;
+  std::vector<Figures> history;  // at the updates since the snapshot before
   bool lost = false;       // of the latest scan
   bool ambiguous = false;
   std::vector<ParticleSnapshot> particles;

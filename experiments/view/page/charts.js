@@ -9,6 +9,8 @@ const CHARTS = [
   {title: "Closures accepted / refused", lines: [["accepted", "accepted"], ["refused", "refused"]], digits: 0},
 ];
 
+const LABEL_PX = 34;  // for the largest value
+
 class Chart {
   constructor({title, lines, digits}, on_time) {
     this.lines = lines;
@@ -22,12 +24,12 @@ class Chart {
     this.canvas.setAttribute("role", "img");
     this.canvas.addEventListener("click", (event) => {
       const {left, width} = this.canvas.getBoundingClientRect();
-      on_time((event.clientX - left) / width);
+      on_time((event.clientX - left - LABEL_PX) / (width - LABEL_PX - 4));
     });
     this.figure.append(caption, this.canvas);
   }
 
-  draw(history, row, is_past, colors) {
+  draw({history, live: is_live}, row, is_past, colors) {
     const text = this.lines.map(([name]) => row?.values[COLUMN[name]])
         .map((value) => value === null || value === undefined ? "–" : value.toFixed(this.digits)).join(" / ");
     this.value.textContent = text;
@@ -40,7 +42,7 @@ class Chart {
     const context = this.canvas.getContext("2d");
     context.scale(ratio, ratio);
     const span_s = Math.max(history.last_s - history.first_s, 1e-9);
-    const x_of = (values) => (values[COLUMN.stamp_s] - history.first_s) / span_s * (width - 4) + 2;
+    const x_of = (values) => (values[COLUMN.stamp_s] - history.first_s) / span_s * (width - LABEL_PX - 4) + LABEL_PX;
     let max = 0;
     for (const {values} of history.rows) {
       for (const [name] of this.lines) max = Math.max(max, values[COLUMN[name]] ?? 0);
@@ -59,7 +61,14 @@ class Chart {
     if (max > 0) {
       context.fillStyle = colors.quiet;
       context.font = "10px system-ui, sans-serif";
-      context.fillText(max.toFixed(this.digits), 4, 11);
+      context.textAlign = "right";
+      context.fillText(max.toFixed(this.digits), LABEL_PX - 4, 11);
+      context.fillText("0", LABEL_PX - 4, height - 4);
+    }
+    if (!is_live && history.rows.every(({values}) => this.lines.every(([name]) => values[COLUMN[name]] === null))) {
+      context.fillStyle = colors.quiet;
+      context.font = "12px system-ui, sans-serif";
+      context.fillText("not recorded by finished runs", LABEL_PX, height / 2 + 4);
     }
     if (is_past && row !== undefined) {
       context.fillStyle = colors.selected;
@@ -78,6 +87,6 @@ export class Charts {
   draw(run, time_s, colors) {
     const {history} = run;
     const row = time_s === null ? history.rows.at(-1) : history.at(time_s);
-    for (const chart of this.charts) chart.draw(history, row, time_s !== null, colors);
+    for (const chart of this.charts) chart.draw(run, row, time_s !== null, colors);
   }
 }

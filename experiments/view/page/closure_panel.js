@@ -34,7 +34,7 @@ export class ClosurePanel {
     this.#shown = shown;
     const accepted = run.candidates.filter((c) => c !== undefined && isAccepted(c)).length;
     this.counts.textContent = `${accepted} accepted, ${run.candidates.length - accepted} refused` +
-        (with_refused ? "" : " (shown with the layer of refused ones)");
+        (with_refused || accepted === run.candidates.length ? "" : " (shown with the layer of refused ones)");
     const focused = document.activeElement?.dataset?.position;
     this.list.replaceChildren(...listed.map((candidate) => {
       const item = document.createElement("li"), button = document.createElement("button");

@@ -5,7 +5,7 @@ import {POSE_VALUES} from "./run.js";
 // pen: {context, camera, size, colors}
 
 export function drawGrid({context, camera, size, colors}) {
-  const step_m = [1, 5, 10, 50, 100, 500, 1000].find((step) => step * camera.scale > 40) ?? 5000;
+  const step_m = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000].find((step) => step * camera.scale > 36) ?? 5000;
   const [left, top] = camera.to_world(0, 0, size);
   const [right, bottom] = camera.to_world(size.width, size.height, size);
   context.beginPath();
@@ -78,6 +78,21 @@ export function drawClosures({context, camera, size}, lines, color, width, dash)
   context.setLineDash(dash);
   context.stroke();
   context.setLineDash([]);
+}
+
+// Around both ends of closures, which may be short.
+export function drawEnds({context, camera, size}, lines, color) {
+  context.beginPath();
+  for (const {from, to} of lines) {
+    for (const end of [from, to]) {
+      const [x, y] = camera.to_screen(end.x, end.y, size);
+      context.moveTo(x + 9, y);
+      context.arc(x, y, 9, 0, 2 * Math.PI);
+    }
+  }
+  context.strokeStyle = color;
+  context.lineWidth = 3;
+  context.stroke();
 }
 
 // tail: x, y in turn, the latest one first

@@ -19,10 +19,8 @@ export class History {
   // When it is full, every second row goes.
   add(values, particles) {
     const last = this.rows.at(-1);
-    if (last !== undefined && values[COLUMN.stamp_s] <= last.values[COLUMN.stamp_s]) {
-      if (last.particles !== null) return;
-      this.rows.pop();
-    }
+    if (last !== undefined && values[COLUMN.stamp_s] < last.values[COLUMN.stamp_s]) return;
+    if (last !== undefined && values[COLUMN.stamp_s] === last.values[COLUMN.stamp_s]) this.rows.pop();
     const kept = new Float32Array(3 * Math.min(particles.length, MAX_PARTICLES));
     for (let i = 0; 3 * i < kept.length; ++i) kept.set(particles[i].pose, 3 * i);
     this.rows.push({values, particles: kept});

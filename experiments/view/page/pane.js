@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The map of one run, drawn when something has changed.
 import {isAccepted, linesOf, nearest} from "./closures.js";
-import {drawClosures, drawGrid, drawNodes, drawPath, drawPose, drawScale, drawScan, drawTail} from "./drawing.js";
+import {drawClosures, drawEnds, drawGrid, drawNodes, drawPath, drawPose, drawScale, drawScan, drawTail} from "./drawing.js";
 import {MapLayer} from "./map_layer.js";
 import {sceneOf} from "./past.js";
 import {watchPointers} from "./pointers.js";
@@ -54,7 +54,7 @@ export class Pane {
 
   #update_map(scene) {
     const {pixels} = this.app.colors;
-    const shown_s = scene.tiles === null ? null : this.app.time_s;
+    const shown_s = scene.tiles === null ? null : scene.shown_s;
     if (this.#needs_all_tiles || shown_s !== this.#drawn_time_s) {
       this.#map.clear();
       for (const [key, cells] of scene.tiles ?? this.run.tiles.latest) {
@@ -92,22 +92,21 @@ export class Pane {
   }
 
   #draw_scene(pen, scene) {
-    const {layers, time_s, selection, colors} = {...this.app, colors: pen.colors};
+    const {layers, time_s, selection, colors} = this.app;
     if (layers.refused) {
       drawClosures(pen, linesOf(this.run, time_s, (c) => !isAccepted(c)), colors.refused, 1, [5, 4]);
     }
     if (layers.path) drawPath(pen, this.run.path, scene.path_length, colors.path, 2);
     if (layers.nodes) {
-      const count = Math.min(scene.path_length, this.run.nodes.length / 4);
-      drawNodes(pen, this.run.nodes, this.run.trajectory.length > 0 && time_s === null
-          ? this.run.nodes.length / 4 : count, colors.path);
+      drawNodes(pen, this.run.nodes, this.run.count_nodes(scene.shown_s), colors.path);
     }
     if (layers.accepted) {
       drawClosures(pen, linesOf(this.run, time_s, isAccepted), colors.accepted, 2, []);
     }
     if (selection.run === this.run) {
-      drawClosures(pen, linesOf(this.run, null, (c) => c.position === selection.position),
-                   colors.selected, 4, []);
+      const selected = linesOf(this.run, null, (c) => c.position === selection.position);
+      drawClosures(pen, selected, colors.selected, 4, []);
+      drawEnds(pen, selected, colors.selected);
     }
     if (layers.scan) drawScan(pen, scene.scan);
     if (layers.particles) {

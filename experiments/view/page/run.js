@@ -6,6 +6,12 @@ import {TileStore} from "./tile_store.js";
 // x, y, theta, stamp of one pose after another.
 export const POSE_VALUES = 4;
 
+function countUpTo(poses, time_s) {
+  let count = poses.length / POSE_VALUES;
+  while (time_s !== null && count > 0 && poses[POSE_VALUES * count - 1] > time_s) --count;
+  return count;
+}
+
 export class Run {
   constructor({name, live, resolution_m}) {
     this.name = name;
@@ -29,7 +35,9 @@ export class Run {
     switch (message.op) {
       case "frame":
         this.frame = message;
-        if (this.live) this.history.add(message.figures, message.particles);
+        if (!this.live) break;
+        for (const row of message.rows) this.history.add(row, []);
+        this.history.add(message.figures, message.particles);
         break;
       case "history":
         this.history.reset(message.rows);
@@ -58,12 +66,7 @@ export class Run {
 
   get path() { return this.trajectory.length > 0 ? this.trajectory : this.nodes; }
 
-  // Number of poses of the path up to a time; paths are in the order of time but for a clock that was
-  // set back.
-  path_length(time_s) {
-    const path = this.path;
-    let count = path.length / POSE_VALUES;
-    while (count > 0 && path[POSE_VALUES * count - 1] > time_s) --count;
-    return count;
-  }
+  // Number of poses up to a time (null: all); stamps ascend but for a clock that was set back.
+  path_length(time_s) { return countUpTo(this.path, time_s); }
+  count_nodes(time_s) { return countUpTo(this.nodes, time_s); }
 }

@@ -21,7 +21,7 @@ export class Timeline {
   draw(run, time_s, scene) {
     const {first_s, last_s} = run.history;
     const part = time_s === null || last_s <= first_s ? 1 : (time_s - first_s) / (last_s - first_s);
-    const shown_s = (time_s ?? last_s) - first_s;
+    const shown_s = (scene?.shown_s ?? time_s ?? last_s) - first_s;
     this.slider.value = Math.round(part * STEPS);
     this.text.textContent = `${shown_s.toFixed(1)} of ${(last_s - first_s).toFixed(1)} s`;
     this.slider.setAttribute("aria-valuetext", `${shown_s.toFixed(1)} seconds`);
