@@ -5,6 +5,7 @@ import {drawClosures, drawEnds, drawGrid, drawNodes, drawPath, drawPose, drawSca
 import {MapLayer} from "./map_layer.js";
 import {sceneOf} from "./past.js";
 import {watchPointers} from "./pointers.js";
+import {UNKNOWN_TILE} from "./tile_store.js";
 
 const CLICK_REACH_PX = 8;
 
@@ -64,7 +65,7 @@ export class Pane {
       this.#drawn_time_s = shown_s;
     } else if (shown_s === null) {
       for (const key of this.run.changed_tiles) {
-        this.#map.draw_tile(key, this.run.tiles.latest.get(key), pixels);
+        this.#map.draw_tile(key, this.run.tiles.latest.get(key) ?? UNKNOWN_TILE, pixels);
       }
     }
     this.run.changed_tiles.clear();

@@ -2,7 +2,7 @@
 // The map as tiles of 16 x 16 cells, and as it was at earlier times as far as memory goes.
 
 export const TILE = 16;
-export const UNKNOWN = 255;
+const UNKNOWN = 255;
 const TILE_BYTES = TILE * TILE;
 const HEADER_BYTES = 16;
 const RECORD_BYTES = 4 + TILE_BYTES;
@@ -11,6 +11,14 @@ const MAX_LOG_BYTES = 32 << 20;
 export const keyOf = (x, y) => (x + 32768) * 65536 + (y + 32768);
 export const xOf = (key) => Math.floor(key / 65536) - 32768;
 export const yOf = (key) => (key % 65536) - 32768;
+
+export const UNKNOWN_TILE = new Uint8Array(TILE_BYTES).fill(UNKNOWN);
+
+// What a tile becomes in a map of tiles; those that are all unknown are left out.
+function put(tiles, key, bytes) {
+  if (bytes.every((value) => value === UNKNOWN)) tiles.delete(key);
+  else tiles.set(key, bytes);
+}
 
 // Calls visit(key, bytes) for each tile of a message; bytes are part of it.
 function forTiles(buffer, visit) {
@@ -35,7 +43,7 @@ export class TileStore {
     const keys = [];
     forTiles(buffer, (key, bytes) => {
       keys.push(key);
-      this.latest.set(key, bytes.slice());
+      put(this.latest, key, bytes.slice());
     });
     this.#log.push({time_s, buffer});
     this.#log_bytes += buffer.byteLength;
@@ -49,7 +57,7 @@ export class TileStore {
     for (; this.#log_bytes > bytes_left; ++count) {
       const {time_s, buffer} = this.#log[count];
       this.#base.time_s = time_s;
-      forTiles(buffer, (key, bytes) => this.#base.tiles.set(key, bytes.slice()));
+      forTiles(buffer, (key, bytes) => put(this.#base.tiles, key, bytes.slice()));
       this.#log_bytes -= buffer.byteLength;
     }
     this.#log.splice(0, count);
@@ -63,7 +71,7 @@ export class TileStore {
     const tiles = new Map(this.#base?.tiles);
     for (const entry of this.#log) {
       if (entry.time_s > time_s) break;
-      forTiles(entry.buffer, (key, bytes) => tiles.set(key, bytes));
+      forTiles(entry.buffer, (key, bytes) => put(tiles, key, bytes));
     }
     this.#past = {time_s, tiles};
     return tiles;
