@@ -16,7 +16,7 @@ namespace {
 constexpr auto kPeriod = std::chrono::milliseconds(100);  // of snapshots
 constexpr auto kSpeedWindow = std::chrono::milliseconds(500);
 constexpr auto kPauseWithoutClients = std::chrono::seconds(10);
-constexpr auto kPatience = std::chrono::seconds(2);
+constexpr auto kPatience = std::chrono::seconds(5);
 constexpr std::size_t kHistoryRows = 2048;
 
 }  // namespace
