@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "frontend/health.h"
 #include "frontend/loop_closure/loop_closer.h"
 #include "frontend/map_area.h"
+#include "frontend/map_session.h"
 #include "frontend/particle_filter/particle_filter.h"
 #include "frontend/scan_matching/scan_matcher.h"
 #include "frontend/scan_poses.h"
@@ -82,6 +84,12 @@ class ImprovedGmapping {
   // that a map can cover.
   ScanResult AddScan(const sensor::LaserScan& measured);
 
+  // Scans to come are of another log, from another start: a new piece of map, until the robot is
+  // found in the map of all scans up to now, which FinalOptimization makes. Needs a scan. Health
+  // and counts begin anew; rows of trajectories go on.
+  void BeginSession(MapSession::Use use);
+  const std::optional<MapSession>& session() const { return session_; }
+
   // The pose graph as it is now: the best particle's path, one node per update with ids 0, 1, ...,
   // and the accepted loop closures.
   void EmitGraph(backend::PoseGraphSink* sink) const;
@@ -109,6 +117,12 @@ class ImprovedGmapping {
  private:
   void Process(const sensor::LaserScan& measured, ScanResult* result);
   void BeginPiece(int scans);
+  bool BeginsSession() const { return session_ && archive_.size() == session_->scans(); }
+  void LookForRobot(const sensor::LaserScan& scan, const backend::SE2& motion);
+  // Nodes by which it is decided which pieces are the map: those of before, if there are any.
+  int NodesOfMap() const {
+    return session_ ? session_->nodes() : static_cast<int>(node_scans_.size());
+  }
   particle_filter::ParticleFilter::Control ControlSinceUpdate() const;
   bool UpdateIsDue(const backend::SE2& u, double density);
   void ApplyOptimizedGraph(const backend::PoseGraph& optimized);
@@ -147,6 +161,7 @@ class ImprovedGmapping {
   std::vector<backend::SE2> world_T_nodes_before_;  // of the optimization that runs
   std::vector<backend::Edge> closures_before_;      // that it knows
   std::vector<bool> is_drawn_ = {true};  // of each piece whether the particles' maps hold it
+  std::optional<MapSession> session_;
   Counts counts_;
 };
 

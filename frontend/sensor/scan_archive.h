@@ -24,6 +24,9 @@ class ScanArchive {
   // of before as well.
   void set_sweep_s(double sweep_s) { sweep_s_ = sweep_s; }
 
+  // Scans to come are of another run: those up to here keep the sweep that was found for them.
+  void BeginSession();
+
   LaserScan Get(int position) const;
 
   double StampOf(int position) const { return scans_.at(position).stamp_s; }
@@ -45,6 +48,11 @@ class ScanArchive {
   std::vector<Entry> scans_;
   Eigen::Vector3d latest_velocity_ = Eigen::Vector3d::Zero();
   double sweep_s_ = 0.0;
+  struct Session {  // that is over
+    int end;        // one past its last scan
+    double sweep_s;
+  };
+  std::vector<Session> sessions_;
 };
 
 }  // namespace gmapping_spa::sensor
