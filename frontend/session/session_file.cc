@@ -72,7 +72,7 @@ Session ReadSession(std::istream* in, const std::string& name) {
   Header header;
   if (file.size() < kMagic.size() + sizeof header) fail("a whole session", "one that is cut");
   file.copy(reinterpret_cast<char*>(&header), sizeof header, kMagic.size());
-  if (header.version == 0 || header.version > kSessionVersion) {
+  if (header.version > kSessionVersion) {
     fail("a session of version " + std::to_string(kSessionVersion) + " or before",
          "version " + std::to_string(header.version) + " of a newer program");
   }
