@@ -18,8 +18,8 @@ DEFINE_double(checkpoint_every, 0.0,
               "a run that is killed can go on from there (needs --save_session). Results do not "
               "depend on it. 0: only at the end.");
 DEFINE_string(resume, "",
-              "Session to go on with, on the same log or one that has more scans at its end, and "
-              "with the same flags. Empty: from the begin of the log.");
+              "Session file to go on with, on the same log or one that has more scans at its end, "
+              "and with the same flags. Empty: from the begin of the log.");
 
 namespace gmapping_spa::apps {
 

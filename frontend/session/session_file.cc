@@ -39,11 +39,6 @@ std::uint32_t Checksum(const Header& header, std::string_view compressed) {
   return crc.checksum();
 }
 
-template <typename Archive>
-void serialize(Archive& archive, SessionInfo& info) {
-  archive(info.program, info.log, info.scans, info.processing_s, info.flags);
-}
-
 }  // namespace
 
 void WriteSession(const Session& session, std::ostream* out) {

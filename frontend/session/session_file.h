@@ -21,6 +21,11 @@ struct SessionInfo {
   std::int64_t scans = 0;                    // taken so far
   double processing_s = 0.0;                 // wall time so far
   std::map<std::string, std::string> flags;  // that results depend on, and their values
+
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(program, log, scans, processing_s, flags);
+  }
 };
 
 struct Session {
