@@ -54,6 +54,14 @@ struct ClosureRecord {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of old_T_node, as of backend::Edge
   Source source = Source::kNear;
   Verdict verdict = Verdict::kNoMatch;
+
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(old_node, node, path_length_m, distance_m, score, runner_up_score, overlap,
+            inlier_ratio, mutual_inlier_ratio, mahalanobis_sq, old_T_node, information, source,
+            verdict);
+  }
 };
 
 // What scans say about where they are in a map, given that no map is exact, whatever the number of
