@@ -70,7 +70,7 @@ void Run() {
   }
   const sensor::LogOptions log_options = LogOptionsFromFlags();
   SlamRun slam;
-  ResumeAsFlagsSay(&slam);
+  BeginAsFlagsSay(&slam);
   const std::unique_ptr<SessionSaver> saver = MakeSessionSaver(&slam);
   OutputFiles files(FLAGS_output_dir);
   const sensor::LogCounts log_counts = ProcessLog(log_options, &slam, saver.get());

@@ -2,6 +2,7 @@
 #include "frontend/sensor/scan_archive.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "frontend/sensor/deskew.h"
 
@@ -74,6 +75,15 @@ LaserScan ScanArchive::Get(int position) const {
                                     [=](const Session& one) { return position < one.end; });
   const double sweep_s = session == sessions_.end() ? sweep_s_ : session->sweep_s;
   return Deskew(std::move(scan), sweep_s * entry.velocity);
+}
+
+std::vector<std::size_t> ScanArchive::Rows() const {
+  std::vector<std::size_t> positions(scans_.size()), rows(scans_.size());
+  std::iota(positions.begin(), positions.end(), 0);
+  std::sort(positions.begin(), positions.end(),
+            [this](std::size_t a, std::size_t b) { return scans_[a].index < scans_[b].index; });
+  for (std::size_t row = 0; row < rows.size(); ++row) rows[positions[row]] = row;
+  return rows;
 }
 
 bool ScanArchive::Holds(int position, const LaserScan& scan) const {

@@ -32,6 +32,9 @@ class ScanArchive {
   double StampOf(int position) const { return scans_.at(position).stamp_s; }
   std::int64_t IndexOf(int position) const { return scans_.at(position).index; }
 
+  // Of each scan its place in the order of the input, by index.
+  std::vector<std::size_t> Rows() const;
+
   // Whether Add was given this scan for the position.
   bool Holds(int position, const LaserScan& scan) const;
 
@@ -40,7 +43,7 @@ class ScanArchive {
   // For sessions (frontend/session).
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(scans_, latest_velocity_, sweep_s_);
+    archive(scans_, latest_velocity_, sweep_s_, sessions_);
   }
 
  private:
@@ -65,6 +68,11 @@ class ScanArchive {
   struct Session {  // that is over
     int end;        // one past its last scan
     double sweep_s;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(end, sweep_s);
+    }
   };
   std::vector<Session> sessions_;
 };
