@@ -123,6 +123,8 @@ class ImprovedGmapping {
   const Health& health() const { return health_; }
   // Time from the first beam of a scan to the last one, s, by which scans are deskewed.
   double sweep_s() const { return control_.sweep_s(); }
+  // All scans so far.
+  const sensor::ScanArchive& scans() const { return archive_; }
   // Whether this is the scan that AddScan was given as the k-th one of the session, from 0.
   bool HasTaken(std::int64_t k, const sensor::LaserScan& scan) const;
 

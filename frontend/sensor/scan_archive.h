@@ -29,6 +29,9 @@ class ScanArchive {
 
   LaserScan Get(int position) const;
 
+  // As Add was given it, but for the rounding: not deskewed.
+  LaserScan Measured(int position) const;
+
   double StampOf(int position) const { return scans_.at(position).stamp_s; }
   std::int64_t IndexOf(int position) const { return scans_.at(position).index; }
 
@@ -56,10 +59,12 @@ class ScanArchive {
     std::vector<float> ranges_m;  // negative: no return up to there; 0: invalid
     Eigen::Vector3d velocity;
     double sweep_s;  // as the log tells it
+    bool has_odometry;
 
     template <typename Archive>
     void serialize(Archive& archive) {
-      archive(index, stamp_s, odom_T_robot, robot_T_laser, angles_rad, ranges_m, velocity, sweep_s);
+      archive(index, stamp_s, odom_T_robot, robot_T_laser, angles_rad, ranges_m, velocity, sweep_s,
+              has_odometry);
     }
   };
   std::vector<Entry> scans_;
