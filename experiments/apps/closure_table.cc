@@ -81,8 +81,8 @@ std::vector<ClosureRecord> ReadClosures(std::istream& in, const std::string& nam
     fields.Number();
     for (double* value : {&record.path_length_m, &record.distance_m, &record.score,
                           &record.runner_up_score, &record.overlap, &record.inlier_ratio,
-                          &record.mutual_inlier_ratio, &record.mahalanobis_sq,
-                          &record.old_T_node.x, &record.old_T_node.y, &record.old_T_node.theta}) {
+                          &record.mutual_inlier_ratio, &record.mahalanobis_sq, &record.old_T_node.x,
+                          &record.old_T_node.y, &record.old_T_node.theta}) {
       *value = fields.Number();
     }
     record.source = fields.Name(loop_closure::Source::kFollowed, loop_closure::SourceName);

@@ -27,11 +27,12 @@ namespace {
 using view::Figures;
 
 double Distance(const backend::SE2& a, const backend::SE2& b) {
-  return (a.translation() - b.translation()).norm() + std::abs(backend::WrapAngle(a.theta - b.theta));
+  return (a.translation() - b.translation()).norm() +
+         std::abs(backend::WrapAngle(a.theta - b.theta));
 }
 
-// Nodes are scans, in their order: the next pose of the trajectory that is the same, and where there
-// is none, the nearest one of all that are left.
+// Nodes are scans, in their order: the next pose of the trajectory that is the same, and where
+// there is none, the nearest one of all that are left.
 backend::Trajectory WithStamps(const backend::PoseGraph& graph,
                                const backend::Trajectory& trajectory) {
   constexpr double kSame = 1e-6;
@@ -41,10 +42,12 @@ backend::Trajectory WithStamps(const backend::PoseGraph& graph,
     const auto differs = [&](const backend::StampedPose& pose) {
       return Distance(pose.world_T_robot, node.world_T_node);
     };
-    auto found = std::find_if(at, trajectory.end(), [&](const auto& p) { return differs(p) < kSame; });
+    auto found =
+        std::find_if(at, trajectory.end(), [&](const auto& p) { return differs(p) < kSame; });
     if (found == trajectory.end()) {
-      found = std::min_element(at, trajectory.end(),
-                               [&](const auto& a, const auto& b) { return differs(a) < differs(b); });
+      found = std::min_element(at, trajectory.end(), [&](const auto& a, const auto& b) {
+        return differs(a) < differs(b);
+      });
     }
     if (found != trajectory.end()) at = found;
     nodes.push_back({at == trajectory.end() ? 0.0 : at->stamp_s, node.world_T_node});
@@ -102,7 +105,8 @@ view::FinishedRun ReadFiles(const std::string& folder) {
   view::GraphSnapshot graph_snapshot;
   graph_snapshot.nodes =
       WithStamps(backend::ReadG2o(*OpenInput(graph), graph), snapshot.trajectory);
-  graph_snapshot.candidates = ReadClosures(*OpenInput(closures), closures, graph_snapshot.nodes.size());
+  graph_snapshot.candidates =
+      ReadClosures(*OpenInput(closures), closures, graph_snapshot.nodes.size());
   run.history = HistoryOf(graph_snapshot, snapshot.trajectory);
   const Json json = Json::parse(*OpenInput(record), nullptr, /*allow_exceptions=*/false);
   try {

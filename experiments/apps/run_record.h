@@ -21,6 +21,12 @@ class Stopwatch {
     start_ = now;
   }
   const Json& laps() const { return laps_; }
+  // Of the stage so far.
+  double elapsed_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  // Counts time that another process spent on the stage.
+  void Add(double elapsed_s) {
+    start_ -= std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(elapsed_s));
+  }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -33,6 +39,9 @@ class Stopwatch {
 // change results: --threads and where outputs go) stands under "resources".
 Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping,
                    const map::TrinaryMap& map, const Json& health, const Stopwatch& stopwatch);
+
+// What came of going on in the map of another run; `scans` of the log and poses told of them.
+Json MapSessionRecord(const frontend::MapSession& session, std::int64_t scans, std::size_t poses);
 
 }  // namespace gmapping_spa::apps
 

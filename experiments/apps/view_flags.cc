@@ -53,8 +53,7 @@ std::vector<std::string> Words(const std::string& list) {
 view::ServerOptions ServerOptionsFromFlags() {
   view::ServerOptions options;
   options.address = FLAGS_view_address;
-  options.port =
-      static_cast<std::uint16_t>(InRange("view_port", FLAGS_view_port, 0, 65535));
+  options.port = static_cast<std::uint16_t>(InRange("view_port", FLAGS_view_port, 0, 65535));
   options.reading_origins = Words(FLAGS_view_origins);
   return options;
 }

@@ -25,7 +25,7 @@ class FigureHistory {
  private:
   mutable std::mutex mutex_;
   std::size_t capacity_;
-  std::size_t step_ = 1;   // of figures, one is kept
+  std::size_t step_ = 1;  // of figures, one is kept
   std::size_t seen_ = 0;
   std::vector<Figures> rows_;
 };

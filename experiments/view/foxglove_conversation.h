@@ -26,7 +26,8 @@ class FoxgloveConversation : public Conversation {
   // Sends what is new on the topics subscribed to; nothing as long as the client cannot keep up.
   void TellNews();
 
-  // "subscribe" and "unsubscribe"; anything else is answered by a status. Throws on what is no JSON.
+  // "subscribe" and "unsubscribe"; anything else is answered by a status. Throws on what is no
+  // JSON.
   void OnMessage(std::string_view data, bool is_binary) override;
   void OnDrained() override { TellNews(); }
 

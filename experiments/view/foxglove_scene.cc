@@ -28,8 +28,8 @@ json Entity(const char* id, const json& time, int type, json points, const json&
                  {"lifetime", {{"sec", 0}, {"nsec", 0}}},
                  {"frame_locked", false},
                  {"lines", {std::move(line)}}};
-  for (const char* empty : {"metadata", "arrows", "cubes", "spheres", "cylinders", "triangles",
-                            "texts", "models"}) {
+  for (const char* empty :
+       {"metadata", "arrows", "cubes", "spheres", "cylinders", "triangles", "texts", "models"}) {
     entity[empty] = json::array();
   }
   return entity;

@@ -11,11 +11,11 @@
 namespace gmapping_spa::view {
 
 struct FoxgloveTopic {
-  const char* name;         // "/map"
-  const char* schema_name;  // "foxglove.Grid"
-  const char* schema;       // JSON schema of what is used of it
+  const char* name;                    // "/map"
+  const char* schema_name;             // "foxglove.Grid"
+  const char* schema;                  // JSON schema of what is used of it
   int RunState::Revisions::*revision;  // which says whether there is something new
-  double least_period_s;    // between two messages
+  double least_period_s;               // between two messages
   nlohmann::json (*message)(const RunState& run);
 };
 

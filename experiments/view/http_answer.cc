@@ -63,8 +63,8 @@ HttpAnswer FileAnswer(const HttpRequest& request, const std::vector<StaticFile>&
   }
   const std::string_view target(request.target().data(), request.target().size());
   const std::string_view path = target.substr(0, target.find('?'));
-  const auto file = std::find_if(files.begin(), files.end(),
-                                 [&](const StaticFile& f) { return f.path == path; });
+  const auto file =
+      std::find_if(files.begin(), files.end(), [&](const StaticFile& f) { return f.path == path; });
   if (file == files.end()) return PlainAnswerTo(request, status::not_found, "no such file\n");
   HttpAnswer answer = PlainAnswerTo(request, status::ok, std::string(file->content));
   answer.set(field::content_type,

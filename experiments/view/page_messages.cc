@@ -107,9 +107,7 @@ MessagePtr HelloMessage(const std::string& session, const std::vector<RunTitle>&
   return Dumped(message);
 }
 
-MessagePtr ControlMessage(bool paused) {
-  return Dumped({{"op", "control"}, {"paused", paused}});
-}
+MessagePtr ControlMessage(bool paused) { return Dumped({{"op", "control"}, {"paused", paused}}); }
 
 MessagePtr FrameMessage(int run, const Snapshot& snapshot) {
   json rows = json::array();

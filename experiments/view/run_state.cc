@@ -41,13 +41,10 @@ std::span<const backend::StampedPose> From(const backend::Trajectory& poses, std
   return std::span(poses).subspan(first);
 }
 
-
 }  // namespace
 
 RunState::RunState(int run, RunTitle title)
-    : run_(run),
-      title_(std::move(title)),
-      graph_(std::make_shared<const GraphSnapshot>()) {}
+    : run_(run), title_(std::move(title)), graph_(std::make_shared<const GraphSnapshot>()) {}
 
 TileImages RunState::ApplyMap(const Snapshot& snapshot) {
   if (snapshot.grid) return differ_.Update(*snapshot.grid);

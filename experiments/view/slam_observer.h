@@ -14,8 +14,8 @@ namespace gmapping_spa::view {
 class SlamObserver {
  public:
   virtual ~SlamObserver() = default;
-  virtual void AfterScan(const frontend::ImprovedGmapping& gmapping,
-                         const sensor::LaserScan& scan, const ScanResult& result) = 0;
+  virtual void AfterScan(const frontend::ImprovedGmapping& gmapping, const sensor::LaserScan& scan,
+                         const ScanResult& result) = 0;
   // All scans are in; what is left is the final optimization.
   virtual void BeforeFinish() = 0;
   virtual void AfterFinish(const frontend::ImprovedGmapping& gmapping,

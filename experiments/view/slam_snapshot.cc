@@ -28,8 +28,8 @@ void AddParticles(const particle_filter::ParticleFilter& filter, Snapshot* snaps
   for (const auto& particle : filter.particles()) log_weights.push_back(particle.log_weight);
   const std::vector<double> weights = particle_filter::NormalizedWeights(log_weights, 1.0);
   for (int i = 0; i < std::ssize(weights); ++i) {
-    snapshot->particles.push_back({filter.particles()[i].world_T_robot, weights[i],
-                                   filter.LatestPoses(i, kTailPoses)});
+    snapshot->particles.push_back(
+        {filter.particles()[i].world_T_robot, weights[i], filter.LatestPoses(i, kTailPoses)});
   }
   snapshot->best_particle = filter.BestParticle();
 }

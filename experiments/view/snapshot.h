@@ -28,7 +28,7 @@ struct Figures {
   std::int64_t updates = 0;
   backend::SE2 world_T_robot;
   double effective_particles = std::numeric_limits<double>::quiet_NaN();  // N_eff, eq. (17)
-  double cost = std::numeric_limits<double>::quiet_NaN();     // of the graph optimized last
+  double cost = std::numeric_limits<double>::quiet_NaN();         // of the graph optimized last
   double scans_per_s = std::numeric_limits<double>::quiet_NaN();  // of wall time
   std::int64_t accepted_closures = 0;
   std::int64_t refused_closures = 0;
@@ -36,8 +36,8 @@ struct Figures {
 
 struct ParticleSnapshot {
   backend::SE2 world_T_robot;
-  double weight = 0.0;                // of all particles' sum
-  std::vector<backend::SE2> tail;     // its last poses, the latest one first
+  double weight = 0.0;             // of all particles' sum
+  std::vector<backend::SE2> tail;  // its last poses, the latest one first
 };
 
 // The pose graph without what is not drawn: nodes follow each other, and accepted candidates are
@@ -63,16 +63,16 @@ struct Snapshot {
   Phase phase = Phase::kRunning;
   Figures figures;
   std::vector<Figures> history;  // at the updates since the snapshot before
-  bool lost = false;       // of the latest scan
+  bool lost = false;             // of the latest scan
   bool ambiguous = false;
   std::vector<ParticleSnapshot> particles;
   int best_particle = 0;
   sensor::LaserScan scan;  // the latest one, not deskewed
   HealthSnapshot health;
   std::shared_ptr<const GraphSnapshot> graph;
-  backend::Trajectory trajectory;                 // of all scans, once it is final
-  std::optional<map::OccupancyGrid> grid;         // shares its tiles with the best particle's
-  std::optional<map::TrinaryMap> finished_map;    // in place of it
+  backend::Trajectory trajectory;               // of all scans, once it is final
+  std::optional<map::OccupancyGrid> grid;       // shares its tiles with the best particle's
+  std::optional<map::TrinaryMap> finished_map;  // in place of it
 };
 
 }  // namespace gmapping_spa::view

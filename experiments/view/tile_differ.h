@@ -14,8 +14,8 @@ namespace gmapping_spa::view {
 // correction every tile of a map is a new one, and most look as before.
 class TileDiffer {
  public:
-  // Takes over the map; returns the tiles that look otherwise than in the one before. A tile that is
-  // gone has an unknown image.
+  // Takes over the map; returns the tiles that look otherwise than in the one before. A tile that
+  // is gone has an unknown image.
   TileImages Update(const map::OccupancyGrid& grid);
   TileImages Update(const map::TrinaryMap& map);
 

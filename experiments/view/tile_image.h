@@ -20,8 +20,8 @@ struct TileIndex {
   friend auto operator<=>(const TileIndex&, const TileIndex&) = default;
 };
 
-// A byte a cell, as in ROS's OccupancyGrid: 0 free to 100 occupied, the part of the beams that ended
-// there in percent; kUnknownCell where none has been. Rows from the smallest y up.
+// A byte a cell, as in ROS's OccupancyGrid: 0 free to 100 occupied, the part of the beams that
+// ended there in percent; kUnknownCell where none has been. Rows from the smallest y up.
 inline constexpr std::uint8_t kUnknownCell = 255;
 using TileImage = std::array<std::uint8_t, map::Tile::kSize * map::Tile::kSize>;
 using TileImages = std::map<TileIndex, TileImage>;
@@ -29,8 +29,8 @@ using TileImages = std::map<TileIndex, TileImage>;
 TileImage UnknownImage();
 TileImage ImageOf(const map::Tile& tile);
 
-// Of a finished map: free 0, occupied 100. Its origin is rounded to a whole cell, which it is in the
-// maps of gmapping_spa.
+// Of a finished map: free 0, occupied 100. Its origin is rounded to a whole cell, which it is in
+// the maps of gmapping_spa.
 TileImages ImagesOf(const map::TrinaryMap& map);
 
 }  // namespace gmapping_spa::view

@@ -31,8 +31,8 @@ class ViewServer::Implementation {
  public:
   Implementation(const ServerOptions& options, std::vector<StaticFile> files,
                  std::vector<Protocol> protocols)
-      : connections_(std::make_shared<Connections>(options, std::move(files),
-                                                   std::move(protocols))),
+      : connections_(
+            std::make_shared<Connections>(options, std::move(files), std::move(protocols))),
         acceptor_(context_),
         rest_(context_) {
     Listen(options);
@@ -131,8 +131,8 @@ class ViewServer::Implementation {
 
 ViewServer::ViewServer(const ServerOptions& options, std::vector<StaticFile> files,
                        std::vector<Protocol> protocols)
-    : implementation_(std::make_unique<Implementation>(options, std::move(files),
-                                                       std::move(protocols))) {}
+    : implementation_(
+          std::make_unique<Implementation>(options, std::move(files), std::move(protocols))) {}
 
 ViewServer::~ViewServer() = default;
 

@@ -21,8 +21,8 @@ struct ServerOptions {
   std::uint16_t port = 0;             // 0: any that is free
   // Origins of other pages that may speak protocols that only read.
   std::vector<std::string> reading_origins;
-  int max_clients = 32;      // WebSockets; the next one gets 503
-  int max_connections = 128; // of all kinds; the next one is closed at once
+  int max_clients = 32;                     // WebSockets; the next one gets 503
+  int max_connections = 128;                // of all kinds; the next one is closed at once
   std::size_t max_message_bytes = 4096;     // from a client; a longer one ends its conversation
   std::size_t max_waiting_bytes = 4 << 20;  // Peer::IsBehind from here on
 };

@@ -37,9 +37,10 @@ WebSocketSession::~WebSocketSession() {
 void WebSocketSession::Accept(const HttpRequest& request, const Protocol& protocol) {
   // Who does not answer pings has gone.
   stream_.set_option(websocket::stream_base::timeout::suggested(beast::role_type::server));
-  stream_.set_option(websocket::stream_base::decorator([&protocol](websocket::response_type& answer) {
-    answer.set(beast::http::field::sec_websocket_protocol, protocol.name);
-  }));
+  stream_.set_option(
+      websocket::stream_base::decorator([&protocol](websocket::response_type& answer) {
+        answer.set(beast::http::field::sec_websocket_protocol, protocol.name);
+      }));
   stream_.read_message_max(connections_->options.max_message_bytes);
   stream_.auto_fragment(false);
   stream_.async_accept(request, [self = shared_from_this(), &protocol](beast::error_code error) {

@@ -14,8 +14,9 @@ TEST(RequestCheck, HostIsThisMachineByAddressOrAsLocalhost) {
 }
 
 TEST(RequestCheck, NamesOfOthersAreRefusedWhereverTheyLead) {
-  for (const char* host : {"", "evil.example", "evil.example:8080", "localhost.evil.example",
-                           "127.0.0.1.evil.example", "10.0.0.5:8080", "[", "[::1", "localhost@evil"}) {
+  for (const char* host :
+       {"", "evil.example", "evil.example:8080", "localhost.evil.example", "127.0.0.1.evil.example",
+        "10.0.0.5:8080", "[", "[::1", "localhost@evil"}) {
     EXPECT_FALSE(IsOwnHost(host, "127.0.0.1") && std::string_view(host) != "[::1") << host;
   }
   EXPECT_FALSE(IsOwnHost("evil.example", "0.0.0.0"));
@@ -31,9 +32,9 @@ TEST(RequestCheck, BoundAddressIsAllowedAndAnyWhereAllAreBound) {
 TEST(RequestCheck, OriginIsTheSameWithHostAndPort) {
   EXPECT_TRUE(IsSameOrigin("http://localhost:8080", "localhost:8080"));
   EXPECT_TRUE(IsSameOrigin("http://LocalHost:8080", "localhost:8080"));
-  for (const char* origin : {"http://localhost:8081", "http://localhost", "http://evil.example",
-                             "null", "file://", "http://localhost:8080.evil.example",
-                             "http://127.0.0.1:8080"}) {
+  for (const char* origin :
+       {"http://localhost:8081", "http://localhost", "http://evil.example", "null", "file://",
+        "http://localhost:8080.evil.example", "http://127.0.0.1:8080"}) {
     EXPECT_FALSE(IsSameOrigin(origin, "localhost:8080")) << origin;
   }
 }

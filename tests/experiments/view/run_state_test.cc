@@ -106,7 +106,8 @@ TEST(RunState, RevisionsCountWhatChanged) {
 TEST(RunState, TextThatIsNoUtf8AndNumbersThatAreNoneAreToldAsJson) {
   RunState state(0, {.name = "log\xff"});
   Snapshot snapshot;
-  snapshot.health.findings["odd"] = {.message = "\xff", .first_stamp_s = 0.0, .last_stamp_s = 0.0, .count = 1};
+  snapshot.health.findings["odd"] = {
+      .message = "\xff", .first_stamp_s = 0.0, .last_stamp_s = 0.0, .count = 1};
   const Messages messages = state.Apply(std::move(snapshot));
   EXPECT_EQ(Find(messages, "health")["findings"][0]["message"], "\xEF\xBF\xBD");
   EXPECT_TRUE(Find(messages, "frame")["figures"][7].is_null());
