@@ -11,6 +11,9 @@ const CHARTS = [
 
 const LABEL_PX = 34;  // for the largest value
 
+// Small numbers with two digits that count.
+const textOf = (value, digits) => value !== 0 && Math.abs(value) < 1 && digits > 0 ? value.toPrecision(2) : value.toFixed(digits);
+
 class Chart {
   constructor({title, lines, digits}, on_time) {
     this.lines = lines;
@@ -31,7 +34,7 @@ class Chart {
 
   draw({history, live: is_live}, row, is_past, colors) {
     const text = this.lines.map(([name]) => row?.values[COLUMN[name]])
-        .map((value) => value === null || value === undefined ? "–" : value.toFixed(this.digits)).join(" / ");
+        .map((value) => value === null || value === undefined ? "–" : textOf(value, this.digits)).join(" / ");
     this.value.textContent = text;
     this.canvas.setAttribute("aria-label", `${this.title}: ${text}`);
     const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
@@ -62,7 +65,7 @@ class Chart {
       context.fillStyle = colors.quiet;
       context.font = "10px system-ui, sans-serif";
       context.textAlign = "right";
-      context.fillText(max.toFixed(this.digits), LABEL_PX - 4, 11);
+      context.fillText(textOf(max, this.digits), LABEL_PX - 4, 11);
       context.fillText("0", LABEL_PX - 4, height - 4);
     }
     if (!is_live && history.rows.every(({values}) => this.lines.every(([name]) => values[COLUMN[name]] === null))) {

@@ -32,9 +32,9 @@ export const isAccepted = (candidate) => candidate.verdict === "accepted";
 export const reasonOf = (candidate) => REASONS[candidate.verdict] ?? candidate.verdict;
 export const sourceOf = (candidate) => SOURCES[candidate.source] ?? candidate.source;
 
-// Pairs of a name and a text.
+// Pairs of a name and a text. Tests that an earlier one made superfluous have left a zero.
 export function valuesOf(candidate) {
-  return VALUES.filter(([key]) => candidate[key] !== null && candidate[key] !== undefined)
+  return VALUES.filter(([key]) => candidate[key])
       .map(([key, name, unit]) => [name, `${candidate[key]} ${unit}`.trim()]);
 }
 

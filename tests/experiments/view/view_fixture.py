@@ -10,7 +10,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 BINARIES = pathlib.Path(os.environ.get("GMAPPING_SPA_BINARIES", ROOT / "build" / "bin"))
 WORLDS = ROOT / "experiments" / "simulation" / "worlds"
-sys.path.insert(0, str(ROOT / "tests" / "experiments"))
+sys.path.insert(0, str(ROOT / "experiments" / "view"))
 import browser
 
 NEEDS_BROWSER = unittest.skipIf(browser.MISSING, f"no {' and no '.join(browser.MISSING)}")

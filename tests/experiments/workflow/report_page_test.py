@@ -10,7 +10,7 @@ import unittest
 import report_fixture
 import report_verdicts_test
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "experiments" / "view"))
 import browser
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A browser for tests of pages."""
+"""A browser for tests and pictures of pages."""
 import base64
 import json
 import pathlib
