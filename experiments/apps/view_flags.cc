@@ -20,9 +20,9 @@
 #include "experiments/view/finished_view.h"
 
 DEFINE_string(view, "",
-              "Alone, or 'live': serves a page that shows the run while it goes. A folder with the "
-              "results of a run, or two with a comma between them: shows these, and does nothing "
-              "else. Empty: no page. A --flagfile needs --view=live.");
+              "Folder with the results of a run, or two with a comma between them, to show on a "
+              "page; nothing else is done. Alone, or 'live' (in a --flagfile): a page that shows "
+              "this run while it goes. Empty: no page.");
 DEFINE_int32(view_port, 8080, "Port of the page of --view, from 0; 0 takes one that is free.");
 DEFINE_string(view_address, "127.0.0.1",
               "Address of this machine, in numbers, at which --view listens. The default is for "

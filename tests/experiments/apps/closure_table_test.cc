@@ -5,7 +5,10 @@
 
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <vector>
+
+#include "tests/message_of.h"
 
 namespace gmapping_spa::apps {
 namespace {
@@ -70,6 +73,46 @@ TEST(WriteClosures, NeedsTheNodes) {
   record.node = 5;
   std::ostringstream out;
   EXPECT_THROW(WriteClosures({record}, Nodes(5), out), std::out_of_range);
+}
+
+std::string MessageOfReading(const std::string& text) {
+  std::istringstream in(text);
+  return MessageOf([&] { ReadClosures(in, "table", 5); });
+}
+
+TEST(ReadClosures, GivesBackWhatWasWritten) {
+  ClosureRecord record;
+  record.old_node = 1;
+  record.node = 4;
+  record.path_length_m = 48.25;
+  record.mahalanobis_sq = 2.25;
+  record.old_T_node = {-1.25, 0.5, 0.0625};
+  record.source = loop_closure::Source::kFollowed;
+  record.verdict = Verdict::kRival;
+  std::stringstream table;
+  WriteClosures({record, ClosureRecord{}}, Nodes(5), table);
+  const std::vector<ClosureRecord> read = ReadClosures(table, "table", 5);
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].old_node, 1);
+  EXPECT_EQ(read[0].node, 4);
+  EXPECT_EQ(read[0].path_length_m, 48.25);
+  EXPECT_EQ(read[0].mahalanobis_sq, 2.25);
+  EXPECT_EQ(read[0].old_T_node, record.old_T_node);
+  EXPECT_EQ(read[0].source, loop_closure::Source::kFollowed);
+  EXPECT_EQ(read[0].verdict, Verdict::kRival);
+  EXPECT_EQ(read[1].verdict, Verdict::kNoMatch);
+}
+
+TEST(ReadClosures, SaysWhereATableIsBroken) {
+  std::ostringstream header;
+  WriteClosures({}, {}, header);
+  const std::string begin = header.str() + "0,1,";
+  EXPECT_EQ(MessageOfReading("x\n"), "table:1: expected the header of loop closures, found 'x'");
+  EXPECT_EQ(MessageOfReading(header.str() + "0,5,"), "table:2: expected a node, found '5'");
+  EXPECT_EQ(MessageOfReading(begin + "0,0,y"), "table:2: expected a number, found 'y'");
+  EXPECT_EQ(MessageOfReading(begin + "0,0,0,0,0,0,0,0,0,0,0,0,0,near,maybe"),
+            "table:2: expected a source and a verdict, found 'maybe'");
+  EXPECT_EQ(MessageOfReading(begin), "table:2: expected a number, found ''");
 }
 
 TEST(CountClosures, CountsByWhatBecameOfThem) {
