@@ -15,10 +15,10 @@ import browser
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BINARIES = ROOT / "build" / "bin"
 WORLD = ROOT / "experiments" / "simulation" / "worlds" / "paper_building.yaml"
-SCANS_A_FRAME = 50
+SCANS_A_FRAME = 60
 FRAME_MS = 120
 SIZE = (1100, 700)      # of the window
-SHOWN = (640, 407)      # of the animation
+SHOWN = (580, 369)      # of the animation
 PICTURE_AT_SCAN = 2300
 VIEW = "gmapping_spa_view"
 
@@ -68,7 +68,11 @@ def film(page, folder):
 
 def write_animation(frames, path):
     small = [frame.resize(SHOWN, Image.Resampling.LANCZOS) for frame in frames]
-    palette = small[len(small) // 2].quantize(48)
+    # Of several frames, as not all have all colors; those of thin lines are rare.
+    strip = Image.new("RGB", (SHOWN[0], 4 * SHOWN[1]))
+    for k in range(4):
+        strip.paste(small[(k + 1) * len(small) // 4 - 1], (0, k * SHOWN[1]))
+    palette = strip.quantize(40, method=Image.Quantize.MAXCOVERAGE)
     indexed = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in small]
     indexed[0].save(path, save_all=True, append_images=indexed[1:], optimize=True, loop=0,
                     duration=[FRAME_MS] * (len(indexed) - 1) + [3000])
