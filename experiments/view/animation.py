@@ -72,7 +72,7 @@ def write_animation(frames, path):
     strip = Image.new("RGB", (SHOWN[0], 4 * SHOWN[1]))
     for k in range(4):
         strip.paste(small[(k + 1) * len(small) // 4 - 1], (0, k * SHOWN[1]))
-    palette = strip.quantize(40, method=Image.Quantize.MAXCOVERAGE)
+    palette = strip.quantize(96, method=Image.Quantize.MAXCOVERAGE)
     indexed = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in small]
     indexed[0].save(path, save_all=True, append_images=indexed[1:], optimize=True, loop=0,
                     duration=[FRAME_MS] * (len(indexed) - 1) + [3000])
