@@ -33,6 +33,8 @@ class SlamRun {
               OutputFiles* files);
 
   const frontend::ImprovedGmapping::Counts& counts() const { return gmapping_.counts(); }
+  // To look at while scans come.
+  const frontend::ImprovedGmapping& gmapping() const { return gmapping_; }
 
  private:
   explicit SlamRun(const SlamOptions& options);

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/ros/node_slam.h"
+
+#include <gflags/gflags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "backend/graph/pose_graph_sink.h"
+#include "experiments/apps/health_record.h"
+#include "experiments/apps/output_files.h"
+#include "experiments/apps/slam_flags.h"
+#include "experiments/ros/node_flags.h"
+#include "frontend/map/map_building.h"
+#include "frontend/particle_filter/resampling.h"
+
+namespace gmapping_spa::ros {
+
+using backend::SE2;
+
+double EntropyOfWeights(const std::vector<double>& log_weights, double gain) {
+  double entropy = 0.0;
+  for (const double weight : particle_filter::NormalizedWeights(log_weights, gain)) {
+    if (weight > 0.0) entropy -= weight * std::log(weight);
+  }
+  return entropy;
+}
+
+NodeSlam::NodeSlam(double map_update_interval_s, std::optional<double> minimum_score)
+    : run_(std::make_unique<apps::SlamRun>()),
+      map_update_interval_s_(map_update_interval_s),
+      minimum_score_(minimum_score) {}
+
+SE2 NodeSlam::AddScan(const sensor::LaserScan& scan) {
+  if (minimum_score_ && run_->counts().scans == 0) {
+    // A mean here, a sum there: only now it is known of how many beams.
+    const double mean = *minimum_score_ / static_cast<double>(scan.beams.size());
+    gflags::SetCommandLineOption("match_min_score", std::to_string(mean).c_str());
+    run_ = std::make_unique<apps::SlamRun>();
+  }
+  run_->AddScan(scan);
+  stamp_s_ = scan.stamp_s;
+  return run_->gmapping().CurrentPose();
+}
+
+std::optional<Snapshot> NodeSlam::DueSnapshot(const SE2& map_T_world) {
+  const frontend::ImprovedGmapping& gmapping = run_->gmapping();
+  const std::int64_t changes = gmapping.counts().updates + gmapping.counts().corrections;
+  if (changes == shown_changes_) return std::nullopt;
+  if (shown_s_ && stamp_s_ < *shown_s_ + map_update_interval_s_) return std::nullopt;
+  const SlamOptions options = apps::SlamOptionsFromFlags();
+  Snapshot snapshot;
+  snapshot.stamp_s = stamp_s_;
+  snapshot.map = map::BuildTrinaryMap(gmapping.CurrentMap(), options.occupied_threshold);
+  if (snapshot.map.cells.empty()) return std::nullopt;
+  snapshot.map_T_world = map_T_world;
+  backend::PoseGraphRecorder recorder;
+  gmapping.EmitGraph(&recorder);
+  std::map<std::int64_t, SE2> pose_of;
+  for (const backend::Node& node : recorder.graph().nodes) {
+    pose_of[node.id] = map_T_world * node.world_T_node;
+    snapshot.map_T_nodes.push_back(pose_of[node.id]);
+  }
+  for (const backend::Edge& edge : recorder.graph().edges) {
+    if (edge.kind != backend::EdgeKind::kLoopClosure) continue;
+    snapshot.closures.emplace_back(pose_of.at(edge.i), pose_of.at(edge.j));
+  }
+  std::vector<double> log_weights;
+  for (const auto& particle : gmapping.filter().particles()) {
+    log_weights.push_back(particle.log_weight);
+  }
+  snapshot.entropy =
+      EntropyOfWeights(log_weights, 1.0 / (options.obs_sigma_gain * options.particles));
+  shown_s_ = stamp_s_;
+  shown_changes_ = changes;
+  return snapshot;
+}
+
+void NodeSlam::Finish(const sensor::LogCounts& counts, const std::function<apps::Json()>& input) {
+  const std::string folder = OutputFolderFromFlags();
+  if (folder.empty() || run_->counts().scans == 0) {
+    apps::WarnOf(counts);
+    run_->gmapping().health().LogSummary();
+    return;
+  }
+  apps::OutputFiles files(folder);
+  run_->Finish(input, counts, &files);
+  files.Commit();
+}
+
+}  // namespace gmapping_spa::ros

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/ros/slam_node_core.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <stdexcept>
+#include <utility>
+
+#include "experiments/apps/health_record.h"
+#include "experiments/ros/node_flags.h"
+#include "frontend/rosbag/bag_reader.h"
+#include "frontend/sensor/log_pipeline.h"
+#include "frontend/sensor/log_validator.h"
+#include "frontend/sensor/time_ordered_reader.h"
+
+namespace gmapping_spa::ros {
+namespace {
+
+using backend::SE2;
+
+constexpr std::int64_t kJump_ns = 1'000'000'000;  // farther back than clocks are corrected
+constexpr std::chrono::seconds kGrace(10);
+
+// As bags are read, but for the rules that hold back 200 scans (frontend/sensor/beam_filter.h).
+std::unique_ptr<sensor::LogReader> ReaderOf(std::unique_ptr<rosbag::MessageSource> source) {
+  const sensor::LogOptions options = LogOptionsOfNode();
+  auto records = std::make_unique<rosbag::BagReader>(std::move(source), "live", options,
+                                                     std::make_shared<rosbag::BagReport>());
+  sensor::TimeOrderedReader ordered(std::move(records), "live", options);
+  return std::make_unique<sensor::LogValidator>(std::move(ordered), "live", options);
+}
+
+std::string OdomFrame() {
+  const std::string frame = LogOptionsOfNode().odom_frame;
+  if (frame.empty()) throw std::runtime_error("--odom_frame: expected the frame of the odometry");
+  return frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+// A reader owns its source.
+class SharedSource : public rosbag::MessageSource {
+ public:
+  explicit SharedSource(LiveSource* source) : source_(source) {}
+  const rosbag::BagContents& contents() const override { return source_->contents(); }
+  void Select(const std::vector<bool>& wanted) override { source_->Select(wanted); }
+  std::optional<rosbag::BagMessage> Next() override { return source_->Next(); }
+
+ private:
+  LiveSource* source_;
+};
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::int64_t>> NamedCounts(const ScanCounts& counts) {
+  return {{"lost", counts.lost},
+          {"received", counts.received},
+          {"throttled", counts.throttled},
+          {"refused", counts.refused},
+          {"after_time_jump", counts.after_time_jump},
+          {"waiting", counts.waiting},
+          {"used", counts.used},
+          {"transforms_refused", counts.transforms_refused}};
+}
+
+SlamNodeCore::SlamNodeCore(const NodeOptions& options, rosbag::Encoding encoding,
+                           NodeOutput* output)
+    : options_(options),
+      odom_frame_(OdomFrame()),
+      output_(output),
+      source_(encoding, static_cast<std::size_t>(options.queue_limit_mb * 1e6)),
+      reader_(ReaderOf(std::make_unique<SharedSource>(&source_))),
+      slam_(options.map_update_interval_s, options.minimum_score),
+      thread_([this] { Work(); }) {}
+
+SlamNodeCore::~SlamNodeCore() { Stop(); }
+
+bool SlamNodeCore::Accepts(std::int64_t time_ns) {
+  if (!time_jumped_ && time_ns < newest_ns_ - kJump_ns) {
+    time_jumped_ = true;
+    const std::string jump = "the clock went back by " +
+                             std::to_string(static_cast<double>(newest_ns_ - time_ns) * 1e-9) +
+                             " s: no more messages are used, restart the node for a new map";
+    if (options_.exit_on_time_jump) error_ = jump;
+    output_->Say(Severity::kError, jump);
+  }
+  newest_ns_ = std::max(newest_ns_, time_ns);
+  return !time_jumped_;
+}
+
+void SlamNodeCore::TakeScan(std::string_view data, std::int64_t time_ns) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::int64_t number = counts_.received++;
+  if (!Accepts(time_ns)) {
+    ++counts_.after_time_jump;
+  } else if (number % options_.throttle_scans != 0) {
+    ++counts_.throttled;
+  } else if (!source_.Give(LiveSource::kScan, data, time_ns) && ++counts_.refused == 1) {
+    output_->Say(Severity::kWarning,
+                 "the SLAM does not keep up: scans are left out, as those that wait take " +
+                     std::to_string(options_.queue_limit_mb) + " MB (~queue_limit_mb)");
+  }
+}
+
+void SlamNodeCore::TakeTf(std::string_view data, std::int64_t time_ns) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!Accepts(time_ns) || source_.Give(LiveSource::kTf, data, time_ns)) return;
+  if (++counts_.transforms_refused == 1) {
+    output_->Say(Severity::kWarning,
+                 "the SLAM does not keep up: transforms are left out (~queue_limit_mb)");
+  }
+}
+
+void SlamNodeCore::CountLost(std::int64_t scans) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (counts_.lost == 0) {
+    output_->Say(Severity::kWarning, "scans were lost on the way to this node: their numbers " +
+                                         std::string("have gaps"));
+  }
+  counts_.lost += scans;
+}
+
+void SlamNodeCore::SetStartPose(const std::string& frame, const SE2& map_T_robot) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto refuse = [&](const std::string& reason) {
+    output_->Say(Severity::kWarning, "the start pose is not used: " + reason);
+  };
+  if (counts_.used > 0) {
+    return refuse("the first scan has fixed the map frame, and a SLAM does not relocate in its map");
+  }
+  if (frame != options_.map_frame && frame != "/" + options_.map_frame) {
+    return refuse("expected one in the frame '" + options_.map_frame + "', found '" + frame + "'");
+  }
+  if (!map_T_robot.IsFinite()) return refuse("expected finite numbers");
+  map_T_world_ = map_T_robot;
+  output_->Say(Severity::kInfo, "the start pose is used");
+  if (map_T_robot.theta != 0.0) {
+    output_->Say(Severity::kWarning,
+                 "the map will be turned: info.origin of /map has a heading, which many programs "
+                 "do not look at");
+  }
+}
+
+std::optional<SE2> SlamNodeCore::map_T_odom() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return map_T_odom_;
+}
+
+ScanCounts SlamNodeCore::counts() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ScanCounts counts = counts_;
+  counts.waiting = source_.waiting_scans();
+  return counts;
+}
+
+bool SlamNodeCore::failed() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return !error_.empty();
+}
+
+void SlamNodeCore::Work() {
+  try {
+    while (const std::optional<sensor::LaserScan> scan = reader_->Next()) {
+      Use(*scan);
+      SayFindings();
+    }
+  } catch (const std::exception& error) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    // A node that is stopped before the first scan has nothing to complain of.
+    if (counts_.received > 0) error_ = error.what();
+  }
+}
+
+void SlamNodeCore::Use(const sensor::LaserScan& scan) {
+  const SE2 world_T_robot = slam_.AddScan(scan);
+  SE2 map_T_world;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++counts_.used;
+    map_T_world = map_T_world_;
+    if (scan.has_odometry) {
+      map_T_odom_ = map_T_world * world_T_robot * backend::Inverse(scan.odom_T_robot);
+    }
+  }
+  if (const std::optional<Snapshot> snapshot = slam_.DueSnapshot(map_T_world)) {
+    output_->Show(*snapshot);
+  }
+}
+
+void SlamNodeCore::SayFindings() {
+  for (const auto& [kind, finding] : apps::FindingsOf(reader_->counts())) {
+    if (said_[kind]++ == 0) output_->Say(Severity::kWarning, kind + ": " + finding.message);
+  }
+}
+
+void SlamNodeCore::Stop() {
+  source_.Close(kGrace);
+  if (thread_.joinable()) thread_.join();
+}
+
+void SlamNodeCore::Finish() {
+  Stop();
+  const ScanCounts counts = this->counts();
+  apps::Json json;
+  for (const auto& [name, value] : NamedCounts(counts)) json[name] = value;
+  output_->Say(Severity::kInfo, "scans: " + json.dump());
+  if (counts.lost + counts.refused + counts.after_time_jump + counts.waiting > 0) {
+    output_->Say(Severity::kWarning, "not all scans are in the map: " + json.dump());
+  }
+  slam_.Finish(reader_->counts(), [&] { return apps::Json{{"live_scans", json}}; });
+  if (!error_.empty()) throw std::runtime_error(error_);
+}
+
+}  // namespace gmapping_spa::ros
