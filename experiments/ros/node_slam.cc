@@ -20,6 +20,38 @@ namespace gmapping_spa::ros {
 
 using backend::SE2;
 
+namespace {
+
+void AddMap(const map::TrinaryMap& map, const SE2& map_T_world, Snapshot* snapshot) {
+  snapshot->width = map.width;
+  snapshot->height = map.height;
+  snapshot->resolution_m = map.resolution_m;
+  snapshot->map_T_cells = Planar(map_T_world * SE2{map.origin_x_m, map.origin_y_m, 0.0});
+  snapshot->cells.reserve(map.cells.size());
+  for (const map::CellState cell : map.cells) {
+    snapshot->cells.push_back(cell == map::CellState::kUnknown ? -1
+                              : cell == map::CellState::kFree  ? 0
+                                                               : 100);
+  }
+}
+
+void AddGraph(const frontend::ImprovedGmapping& gmapping, const SE2& map_T_world,
+              Snapshot* snapshot) {
+  backend::PoseGraphRecorder recorder;
+  gmapping.EmitGraph(&recorder);
+  std::map<std::int64_t, PlanarPose> pose_of;
+  for (const backend::Node& node : recorder.graph().nodes) {
+    pose_of[node.id] = Planar(map_T_world * node.world_T_node);
+    snapshot->map_T_nodes.push_back(pose_of[node.id]);
+  }
+  for (const backend::Edge& edge : recorder.graph().edges) {
+    if (edge.kind != backend::EdgeKind::kLoopClosure) continue;
+    snapshot->closures.emplace_back(pose_of.at(edge.i), pose_of.at(edge.j));
+  }
+}
+
+}  // namespace
+
 double EntropyOfWeights(const std::vector<double>& log_weights, double gain) {
   double entropy = 0.0;
   for (const double weight : particle_filter::NormalizedWeights(log_weights, gain)) {
@@ -53,20 +85,10 @@ std::optional<Snapshot> NodeSlam::DueSnapshot(const SE2& map_T_world) {
   const SlamOptions options = apps::SlamOptionsFromFlags();
   Snapshot snapshot;
   snapshot.stamp_s = stamp_s_;
-  snapshot.map = map::BuildTrinaryMap(gmapping.CurrentMap(), options.occupied_threshold);
-  if (snapshot.map.cells.empty()) return std::nullopt;
-  snapshot.map_T_world = map_T_world;
-  backend::PoseGraphRecorder recorder;
-  gmapping.EmitGraph(&recorder);
-  std::map<std::int64_t, SE2> pose_of;
-  for (const backend::Node& node : recorder.graph().nodes) {
-    pose_of[node.id] = map_T_world * node.world_T_node;
-    snapshot.map_T_nodes.push_back(pose_of[node.id]);
-  }
-  for (const backend::Edge& edge : recorder.graph().edges) {
-    if (edge.kind != backend::EdgeKind::kLoopClosure) continue;
-    snapshot.closures.emplace_back(pose_of.at(edge.i), pose_of.at(edge.j));
-  }
+  AddMap(map::BuildTrinaryMap(gmapping.CurrentMap(), options.occupied_threshold), map_T_world,
+         &snapshot);
+  if (snapshot.cells.empty()) return std::nullopt;
+  AddGraph(gmapping, map_T_world, &snapshot);
   std::vector<double> log_weights;
   for (const auto& particle : gmapping.filter().particles()) {
     log_weights.push_back(particle.log_weight);

@@ -18,6 +18,8 @@
 
 namespace gmapping_spa::ros {
 
+inline PlanarPose Planar(const backend::SE2& pose) { return {pose.x, pose.y, pose.theta}; }
+
 // -sum w log w of the normalized weights exp(gain * log_weight).
 double EntropyOfWeights(const std::vector<double>& log_weights, double gain);
 

@@ -128,7 +128,7 @@ void AddRanges(const Parameters& parameters, std::vector<std::string>* flags) {
   if (max_urange != parameters.end()) {
     flags->push_back(Flag("usable_range_m", value(max_urange)));
     if (max_range != parameters.end() && value(max_range) > value(max_urange)) {
-      flags->push_back("--no_return_clears");
+      flags->emplace_back("--no_return_clears");
     }
   } else if (max_range != parameters.end()) {
     flags->push_back(Flag("usable_range_m", value(max_range)));

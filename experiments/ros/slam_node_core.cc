@@ -4,11 +4,16 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <map>
+#include <mutex>
 #include <stdexcept>
-#include <utility>
+#include <thread>
 
+#include "backend/se2.h"
 #include "experiments/apps/health_record.h"
+#include "experiments/ros/live_source.h"
 #include "experiments/ros/node_flags.h"
+#include "experiments/ros/node_slam.h"
 #include "frontend/rosbag/bag_reader.h"
 #include "frontend/sensor/log_pipeline.h"
 #include "frontend/sensor/log_validator.h"
@@ -49,21 +54,48 @@ class SharedSource : public rosbag::MessageSource {
   LiveSource* source_;
 };
 
-}  // namespace
+class Core : public SlamNodeCore {
+ public:
+  Core(const NodeOptions& options, rosbag::Encoding encoding, NodeOutput* output);
+  ~Core() override;
 
-std::vector<std::pair<std::string, std::int64_t>> NamedCounts(const ScanCounts& counts) {
-  return {{"lost", counts.lost},
-          {"received", counts.received},
-          {"throttled", counts.throttled},
-          {"refused", counts.refused},
-          {"after_time_jump", counts.after_time_jump},
-          {"waiting", counts.waiting},
-          {"used", counts.used},
-          {"transforms_refused", counts.transforms_refused}};
-}
+  void TakeScan(std::string_view data, std::int64_t time_ns) override;
+  void TakeTf(std::string_view data, std::int64_t time_ns) override;
+  void CountLost(std::int64_t scans) override;
+  void SetStartPose(const std::string& frame, const SpatialPose& map_T_robot) override;
+  std::optional<PlanarPose> map_T_odom() const override;
+  const std::string& odom_frame() const override { return odom_frame_; }
+  ScanCounts counts() const override;
+  bool failed() const override;
+  void Finish() override;
 
-SlamNodeCore::SlamNodeCore(const NodeOptions& options, rosbag::Encoding encoding,
-                           NodeOutput* output)
+ private:
+  bool Accepts(std::int64_t time_ns);
+  void Work();
+  void Use(const sensor::LaserScan& scan);
+  void SayFindings();
+  void Stop();
+
+  const NodeOptions options_;
+  const std::string odom_frame_;
+  NodeOutput* const output_;
+  LiveSource source_;
+  std::unique_ptr<sensor::LogReader> reader_;  // of the thread, as is slam_
+  NodeSlam slam_;
+  std::map<std::string, std::int64_t> said_;  // findings
+
+  mutable std::mutex mutex_;  // of what follows
+  ScanCounts counts_;
+  std::int64_t newest_ns_ = 0;
+  bool time_jumped_ = false;
+  std::string error_;
+  SE2 map_T_world_;
+  std::optional<SE2> map_T_odom_;
+
+  std::thread thread_;  // last, as it uses all others
+};
+
+Core::Core(const NodeOptions& options, rosbag::Encoding encoding, NodeOutput* output)
     : options_(options),
       odom_frame_(OdomFrame()),
       output_(output),
@@ -72,9 +104,9 @@ SlamNodeCore::SlamNodeCore(const NodeOptions& options, rosbag::Encoding encoding
       slam_(options.map_update_interval_s, options.minimum_score),
       thread_([this] { Work(); }) {}
 
-SlamNodeCore::~SlamNodeCore() { Stop(); }
+Core::~Core() { Stop(); }
 
-bool SlamNodeCore::Accepts(std::int64_t time_ns) {
+bool Core::Accepts(std::int64_t time_ns) {
   if (!time_jumped_ && time_ns < newest_ns_ - kJump_ns) {
     time_jumped_ = true;
     const std::string jump = "the clock went back by " +
@@ -87,7 +119,7 @@ bool SlamNodeCore::Accepts(std::int64_t time_ns) {
   return !time_jumped_;
 }
 
-void SlamNodeCore::TakeScan(std::string_view data, std::int64_t time_ns) {
+void Core::TakeScan(std::string_view data, std::int64_t time_ns) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::int64_t number = counts_.received++;
   if (!Accepts(time_ns)) {
@@ -101,7 +133,7 @@ void SlamNodeCore::TakeScan(std::string_view data, std::int64_t time_ns) {
   }
 }
 
-void SlamNodeCore::TakeTf(std::string_view data, std::int64_t time_ns) {
+void Core::TakeTf(std::string_view data, std::int64_t time_ns) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!Accepts(time_ns) || source_.Give(LiveSource::kTf, data, time_ns)) return;
   if (++counts_.transforms_refused == 1) {
@@ -110,7 +142,7 @@ void SlamNodeCore::TakeTf(std::string_view data, std::int64_t time_ns) {
   }
 }
 
-void SlamNodeCore::CountLost(std::int64_t scans) {
+void Core::CountLost(std::int64_t scans) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (counts_.lost == 0) {
     output_->Say(Severity::kWarning, "scans were lost on the way to this node: their numbers " +
@@ -119,7 +151,7 @@ void SlamNodeCore::CountLost(std::int64_t scans) {
   counts_.lost += scans;
 }
 
-void SlamNodeCore::SetStartPose(const std::string& frame, const SE2& map_T_robot) {
+void Core::SetStartPose(const std::string& frame, const SpatialPose& map_T_robot) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto refuse = [&](const std::string& reason) {
     output_->Say(Severity::kWarning, "the start pose is not used: " + reason);
@@ -130,34 +162,40 @@ void SlamNodeCore::SetStartPose(const std::string& frame, const SE2& map_T_robot
   if (frame != options_.map_frame && frame != "/" + options_.map_frame) {
     return refuse("expected one in the frame '" + options_.map_frame + "', found '" + frame + "'");
   }
-  if (!map_T_robot.IsFinite()) return refuse("expected finite numbers");
-  map_T_world_ = map_T_robot;
+  const SpatialPose& pose = map_T_robot;
+  Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
+  isometry.linear() =
+      Eigen::Quaterniond(pose.qw, pose.qx, pose.qy, pose.qz).normalized().toRotationMatrix();
+  isometry.translation() = Eigen::Vector3d(pose.x_m, pose.y_m, pose.z_m);
+  const SE2 planar = rosbag::InPlane(isometry);
+  if (!planar.IsFinite()) return refuse("expected finite numbers");
+  map_T_world_ = planar;
   output_->Say(Severity::kInfo, "the start pose is used");
-  if (map_T_robot.theta != 0.0) {
-    output_->Say(Severity::kWarning,
-                 "the map will be turned: info.origin of /map has a heading, which many programs "
-                 "do not look at");
-  }
+  if (planar.theta == 0.0) return;
+  output_->Say(Severity::kWarning,
+               "the map will be turned: info.origin of /map has a heading, which many programs do "
+               "not look at");
 }
 
-std::optional<SE2> SlamNodeCore::map_T_odom() const {
+std::optional<PlanarPose> Core::map_T_odom() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return map_T_odom_;
+  if (!map_T_odom_) return std::nullopt;
+  return Planar(*map_T_odom_);
 }
 
-ScanCounts SlamNodeCore::counts() const {
+ScanCounts Core::counts() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   ScanCounts counts = counts_;
   counts.waiting = source_.waiting_scans();
   return counts;
 }
 
-bool SlamNodeCore::failed() const {
+bool Core::failed() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return !error_.empty();
 }
 
-void SlamNodeCore::Work() {
+void Core::Work() {
   try {
     while (const std::optional<sensor::LaserScan> scan = reader_->Next()) {
       Use(*scan);
@@ -170,7 +208,7 @@ void SlamNodeCore::Work() {
   }
 }
 
-void SlamNodeCore::Use(const sensor::LaserScan& scan) {
+void Core::Use(const sensor::LaserScan& scan) {
   const SE2 world_T_robot = slam_.AddScan(scan);
   SE2 map_T_world;
   {
@@ -186,18 +224,18 @@ void SlamNodeCore::Use(const sensor::LaserScan& scan) {
   }
 }
 
-void SlamNodeCore::SayFindings() {
+void Core::SayFindings() {
   for (const auto& [kind, finding] : apps::FindingsOf(reader_->counts())) {
     if (said_[kind]++ == 0) output_->Say(Severity::kWarning, kind + ": " + finding.message);
   }
 }
 
-void SlamNodeCore::Stop() {
+void Core::Stop() {
   source_.Close(kGrace);
   if (thread_.joinable()) thread_.join();
 }
 
-void SlamNodeCore::Finish() {
+void Core::Finish() {
   Stop();
   const ScanCounts counts = this->counts();
   apps::Json json;
@@ -208,6 +246,26 @@ void SlamNodeCore::Finish() {
   }
   slam_.Finish(reader_->counts(), [&] { return apps::Json{{"live_scans", json}}; });
   if (!error_.empty()) throw std::runtime_error(error_);
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::int64_t>> NamedCounts(const ScanCounts& counts) {
+  return {{"lost", counts.lost},
+          {"received", counts.received},
+          {"throttled", counts.throttled},
+          {"refused", counts.refused},
+          {"after_time_jump", counts.after_time_jump},
+          {"waiting", counts.waiting},
+          {"used", counts.used},
+          {"transforms_refused", counts.transforms_refused}};
+}
+
+std::unique_ptr<SlamNodeCore> MakeSlamNodeCore(const NodeOptions& options,
+                                               Serialization serialization, NodeOutput* output) {
+  const bool is_ros1 = serialization == Serialization::kRos1;
+  return std::make_unique<Core>(options, is_ros1 ? rosbag::Encoding::kRos1 : rosbag::Encoding::kCdr,
+                                output);
 }
 
 }  // namespace gmapping_spa::ros

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/ros/ros1/messages.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
-#include "frontend/rosbag/ros_messages.h"
-
 namespace gmapping_spa::ros {
 namespace {
 
-using backend::SE2;
 using visualization_msgs::Marker;
 
 geometry_msgs::Quaternion QuaternionOf(double heading_rad) {
@@ -21,10 +17,10 @@ geometry_msgs::Quaternion QuaternionOf(double heading_rad) {
   return quaternion;
 }
 
-geometry_msgs::Point PointOf(const SE2& pose) {
+geometry_msgs::Point PointOf(const PlanarPose& pose) {
   geometry_msgs::Point point;
-  point.x = pose.x;
-  point.y = pose.y;
+  point.x = pose.x_m;
+  point.y = pose.y_m;
   return point;
 }
 
@@ -48,30 +44,23 @@ Marker EmptyMarker(const Snapshot& snapshot, const std::string& map_frame, const
 }  // namespace
 
 nav_msgs::OccupancyGrid GridOf(const Snapshot& snapshot, const std::string& map_frame) {
-  const map::TrinaryMap& map = snapshot.map;
   nav_msgs::OccupancyGrid grid;
   grid.header.frame_id = map_frame;
   grid.header.stamp.fromSec(snapshot.stamp_s);
   grid.info.map_load_time = grid.header.stamp;
-  grid.info.resolution = static_cast<float>(map.resolution_m);
-  grid.info.width = static_cast<std::uint32_t>(map.width);
-  grid.info.height = static_cast<std::uint32_t>(map.height);
-  const SE2 origin = snapshot.map_T_world * SE2{map.origin_x_m, map.origin_y_m, 0.0};
-  grid.info.origin.position = PointOf(origin);
-  grid.info.origin.orientation = QuaternionOf(origin.theta);
-  grid.data.reserve(map.cells.size());
-  for (const map::CellState cell : map.cells) {
-    grid.data.push_back(cell == map::CellState::kUnknown ? -1
-                        : cell == map::CellState::kFree  ? 0
-                                                         : 100);
-  }
+  grid.info.resolution = static_cast<float>(snapshot.resolution_m);
+  grid.info.width = static_cast<std::uint32_t>(snapshot.width);
+  grid.info.height = static_cast<std::uint32_t>(snapshot.height);
+  grid.info.origin.position = PointOf(snapshot.map_T_cells);
+  grid.info.origin.orientation = QuaternionOf(snapshot.map_T_cells.heading_rad);
+  grid.data = snapshot.cells;
   return grid;
 }
 
 visualization_msgs::MarkerArray MarkersOf(const Snapshot& snapshot, const std::string& map_frame) {
   Marker path = EmptyMarker(snapshot, map_frame, "path", Marker::LINE_STRIP, 0.03, 0.0, 0.4);
   Marker nodes = EmptyMarker(snapshot, map_frame, "nodes", Marker::POINTS, 0.08, 0.0, 0.2);
-  for (const SE2& pose : snapshot.map_T_nodes) path.points.push_back(PointOf(pose));
+  for (const PlanarPose& pose : snapshot.map_T_nodes) path.points.push_back(PointOf(pose));
   nodes.points = path.points;
   Marker closures =
       EmptyMarker(snapshot, map_frame, "loop_closures", Marker::LINE_LIST, 0.04, 1.0, 0.3);
@@ -88,20 +77,17 @@ visualization_msgs::MarkerArray MarkersOf(const Snapshot& snapshot, const std::s
   return markers;
 }
 
-geometry_msgs::Transform TransformOf(const SE2& a_T_b) {
+geometry_msgs::Transform TransformOf(const PlanarPose& a_T_b) {
   geometry_msgs::Transform transform;
-  transform.translation.x = a_T_b.x;
-  transform.translation.y = a_T_b.y;
-  transform.rotation = QuaternionOf(a_T_b.theta);
+  transform.translation.x = a_T_b.x_m;
+  transform.translation.y = a_T_b.y_m;
+  transform.rotation = QuaternionOf(a_T_b.heading_rad);
   return transform;
 }
 
-SE2 PlanarPoseOf(const geometry_msgs::Pose& pose) {
-  const geometry_msgs::Quaternion& q = pose.orientation;
-  Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
-  isometry.linear() = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized().toRotationMatrix();
-  isometry.translation() = Eigen::Vector3d(pose.position.x, pose.position.y, pose.position.z);
-  return rosbag::InPlane(isometry);
+SpatialPose SpatialPoseOf(const geometry_msgs::Pose& pose) {
+  return {pose.position.x,    pose.position.y,    pose.position.z,   pose.orientation.x,
+          pose.orientation.y, pose.orientation.z, pose.orientation.w};
 }
 
 diagnostic_msgs::DiagnosticArray DiagnosticsOf(const ScanCounts& counts, const std::string& node) {

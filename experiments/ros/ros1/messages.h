@@ -20,9 +20,8 @@ nav_msgs::OccupancyGrid GridOf(const Snapshot& snapshot, const std::string& map_
 // The path of the pose graph as a line, its nodes as points, loop closures as lines.
 visualization_msgs::MarkerArray MarkersOf(const Snapshot& snapshot, const std::string& map_frame);
 
-geometry_msgs::Transform TransformOf(const backend::SE2& a_T_b);
-// Seen from above: the heading is that of the x axis.
-backend::SE2 PlanarPoseOf(const geometry_msgs::Pose& pose);
+geometry_msgs::Transform TransformOf(const PlanarPose& a_T_b);
+SpatialPose SpatialPoseOf(const geometry_msgs::Pose& pose);
 
 // Where the scans went; a warning where any was left out.
 diagnostic_msgs::DiagnosticArray DiagnosticsOf(const ScanCounts& counts, const std::string& node);

@@ -37,7 +37,7 @@ SlamNode::SlamNode(const NodeOptions& options)
       graph_(private_handle_.advertise<visualization_msgs::MarkerArray>("graph", 1,
                                                                         /*latch=*/true)),
       diagnostics_(handle_.advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)),
-      core_(options, rosbag::Encoding::kRos1, this) {
+      core_(MakeSlamNodeCore(options, Serialization::kRos1, this)) {
   // Queues without a limit: the callbacks do not wait, and the core counts what it has no room for.
   const ::ros::TransportHints hints = ::ros::TransportHints().tcpNoDelay();
   tf_static_ = handle_.subscribe("/tf_static", 0, &SlamNode::OnTf, this, hints);
@@ -60,17 +60,17 @@ void SlamNode::Spin() {
   ::ros::AsyncSpinner spinner(1);
   spinner.start();
   auto next_diagnostics = std::chrono::steady_clock::now();
-  while (::ros::ok() && apps::ReceivedSignal() == 0 && !core_.failed()) {
+  while (::ros::ok() && apps::ReceivedSignal() == 0 && !core_->failed()) {
     ::ros::WallDuration(0.05).sleep();
     if (std::chrono::steady_clock::now() < next_diagnostics) continue;
     next_diagnostics += std::chrono::seconds(1);
     diagnostic_msgs::DiagnosticArray array =
-        DiagnosticsOf(core_.counts(), ::ros::this_node::getName());
+        DiagnosticsOf(core_->counts(), ::ros::this_node::getName());
     array.header.stamp = ::ros::Time::now();
     diagnostics_.publish(array);
   }
   spinner.stop();
-  core_.Finish();
+  core_->Finish();
 }
 
 void SlamNode::Say(Severity severity, const std::string& line) {
@@ -94,17 +94,17 @@ void SlamNode::Show(const Snapshot& snapshot) {
 void SlamNode::OnScan(const sensor_msgs::LaserScan::ConstPtr& scan) {
   // Senders of ROS 1 count their messages; those that do not leave a zero.
   const std::uint32_t number = scan->header.seq;
-  if (scan_number_ && number > *scan_number_ + 1) core_.CountLost(number - *scan_number_ - 1);
+  if (scan_number_ && number > *scan_number_ + 1) core_->CountLost(number - *scan_number_ - 1);
   scan_number_ = number;
-  core_.TakeScan(BytesOf(*scan), Now_ns());
+  core_->TakeScan(BytesOf(*scan), Now_ns());
 }
 
 void SlamNode::OnTf(const tf2_msgs::TFMessage::ConstPtr& transforms) {
-  core_.TakeTf(BytesOf(*transforms), Now_ns());
+  core_->TakeTf(BytesOf(*transforms), Now_ns());
 }
 
 void SlamNode::OnPose(const geometry_msgs::PoseWithCovarianceStamped::ConstPtr& pose) {
-  core_.SetStartPose(pose->header.frame_id, PlanarPoseOf(pose->pose.pose));
+  core_->SetStartPose(pose->header.frame_id, SpatialPoseOf(pose->pose.pose));
 }
 
 bool SlamNode::OnDynamicMap(nav_msgs::GetMap::Request& /*request*/,
@@ -120,12 +120,12 @@ void SlamNode::PublishTransforms() {
   ::ros::Rate rate(1.0 / options_.transform_publish_period_s);
   const ::ros::Duration delay(options_.tf_delay_s.value_or(options_.transform_publish_period_s));
   for (; ::ros::ok(); rate.sleep()) {
-    const std::optional<backend::SE2> map_T_odom = core_.map_T_odom();
+    const std::optional<PlanarPose> map_T_odom = core_->map_T_odom();
     if (!map_T_odom) continue;
     geometry_msgs::TransformStamped transform;
     transform.header.frame_id = options_.map_frame;
     transform.header.stamp = ::ros::Time::now() + delay;
-    transform.child_frame_id = core_.odom_frame();
+    transform.child_frame_id = core_->odom_frame();
     transform.transform = TransformOf(*map_T_odom);
     broadcaster_.sendTransform(transform);
   }

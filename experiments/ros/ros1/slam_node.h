@@ -11,6 +11,7 @@
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -50,7 +51,7 @@ class SlamNode : private NodeOutput {
   std::mutex mutex_;
   std::optional<nav_msgs::OccupancyGrid> latest_map_;
 
-  SlamNodeCore core_;
+  const std::unique_ptr<SlamNodeCore> core_;
   // Behind the core, whose functions they call.
   ::ros::Subscriber scans_, tf_, tf_static_, start_pose_, set_pose_;
   ::ros::ServiceServer dynamic_map_;

@@ -2,17 +2,15 @@
 // A node for ROS 1 in place of slam_gmapping.
 #include <ros/ros.h>
 
-#include <algorithm>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "experiments/ros/node_flags.h"
+#include "experiments/ros/run_node.h"
 #include "experiments/ros/ros1/slam_node.h"
 
 namespace gmapping_spa::ros {
@@ -44,7 +42,7 @@ std::map<std::string, std::string> Parameters() {
   if (!handle.getParamNames(names)) throw std::runtime_error("cannot read the parameters");
   std::map<std::string, std::string> parameters;
   for (const std::string& path : names) {
-    if (!path.starts_with(prefix)) continue;
+    if (path.compare(0, prefix.size(), prefix) != 0) continue;
     const std::string name = path.substr(prefix.size());
     XmlRpc::XmlRpcValue value;
     if (handle.getParam(path, value)) parameters[name] = TextOf(name, value);
@@ -57,13 +55,6 @@ void Run(const NodeParameters& parameters) {
   SlamNode(parameters.node).Spin();
 }
 
-// Which needs no master.
-bool AsksForHelp(const std::vector<std::string_view>& words) {
-  return std::ranges::any_of(words, [](std::string_view word) {
-    return word.starts_with("--help") || word.starts_with("-help") || word == "--version";
-  });
-}
-
 }  // namespace
 }  // namespace gmapping_spa::ros
 
@@ -71,7 +62,7 @@ int main(int argc, char** argv) {
   namespace node = gmapping_spa::ros;
   try {
     ros::init(argc, argv, "slam_gmapping", ros::init_options::NoSigintHandler);
-    const bool asks_for_help = node::AsksForHelp({argv + 1, argv + argc});
+    const bool asks_for_help = node::AsksForHelp(argc, argv);
     const std::map<std::string, std::string> parameters =
         asks_for_help ? std::map<std::string, std::string>() : node::Parameters();
     return node::RunNode(argc, argv, parameters, node::Run);
