@@ -128,8 +128,8 @@ void Core::TakeScan(std::string_view data, std::int64_t time_ns) {
     ++counts_.throttled;
   } else if (!source_.Give(LiveSource::kScan, data, time_ns) && ++counts_.refused == 1) {
     output_->Say(Severity::kWarning,
-                 "the SLAM does not keep up: scans are left out, as those that wait take " +
-                     std::to_string(options_.queue_limit_mb) + " MB (~queue_limit_mb)");
+                 "the SLAM does not keep up: scans are left out, as those that wait take all of "
+                 "~queue_limit_mb");
   }
 }
 
@@ -138,7 +138,8 @@ void Core::TakeTf(std::string_view data, std::int64_t time_ns) {
   if (!Accepts(time_ns) || source_.Give(LiveSource::kTf, data, time_ns)) return;
   if (++counts_.transforms_refused == 1) {
     output_->Say(Severity::kWarning,
-                 "the SLAM does not keep up: transforms are left out (~queue_limit_mb)");
+                 "the SLAM does not keep up: transforms are left out, as those that wait take all of "
+                 "~queue_limit_mb");
   }
 }
 

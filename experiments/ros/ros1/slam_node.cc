@@ -6,6 +6,7 @@
 #include <std_msgs/Float64.h>
 
 #include <chrono>
+#include <iostream>
 #include <string_view>
 #include <utility>
 
@@ -74,6 +75,10 @@ void SlamNode::Spin() {
 }
 
 void SlamNode::Say(Severity severity, const std::string& line) {
+  if (!::ros::ok()) {  // its console is closed
+    std::cerr << ::ros::this_node::getName() << ": " << line << '\n';
+    return;
+  }
   if (severity == Severity::kInfo) ROS_INFO_STREAM(line);
   if (severity == Severity::kWarning) ROS_WARN_STREAM(line);
   if (severity == Severity::kError) ROS_ERROR_STREAM(line);

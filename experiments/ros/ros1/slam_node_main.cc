@@ -34,9 +34,8 @@ std::string TextOf(const std::string& name, XmlRpc::XmlRpcValue value) {
   }
 }
 
-// The private parameters; talks to the master.
-std::map<std::string, std::string> Parameters() {
-  const ::ros::NodeHandle handle("~");
+// The private parameters.
+std::map<std::string, std::string> ParametersOf(const ::ros::NodeHandle& handle) {
   const std::string prefix = handle.getNamespace() + "/";
   std::vector<std::string> names;
   if (!handle.getParamNames(names)) throw std::runtime_error("cannot read the parameters");
@@ -62,10 +61,9 @@ int main(int argc, char** argv) {
   namespace node = gmapping_spa::ros;
   try {
     ros::init(argc, argv, "slam_gmapping", ros::init_options::NoSigintHandler);
-    const bool asks_for_help = node::AsksForHelp(argc, argv);
-    const std::map<std::string, std::string> parameters =
-        asks_for_help ? std::map<std::string, std::string>() : node::Parameters();
-    return node::RunNode(argc, argv, parameters, node::Run);
+    if (node::AsksForHelp(argc, argv)) return node::RunNode(argc, argv, {}, node::Run);
+    const ros::NodeHandle handle("~");  // with the last handle, ROS shuts down
+    return node::RunNode(argc, argv, node::ParametersOf(handle), node::Run);
   } catch (const std::exception& error) {
     std::cerr << argv[0] << ": error: " << error.what() << '\n';
     return 1;
