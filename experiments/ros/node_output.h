@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a node of ROS 1 or ROS 2 publishes, without types of either. Messages of ROS 1 do not compile
-// as C++20: what nodes include keeps to C++17.
+// What a node of ROS 1 or ROS 2 publishes, without types of either. Messages of ROS 1 do not
+// compile as C++20: what nodes include keeps to C++17.
 #ifndef GMAPPING_SPA_EXPERIMENTS_ROS_NODE_OUTPUT_H_
 #define GMAPPING_SPA_EXPERIMENTS_ROS_NODE_OUTPUT_H_
 

@@ -43,9 +43,9 @@ class NodeSlam {
   std::unique_ptr<apps::SlamRun> run_;
   double map_update_interval_s_;
   std::optional<double> minimum_score_;
-  double stamp_s_ = 0.0;                // of the latest scan
-  std::optional<double> shown_s_;       // of the last snapshot
-  std::int64_t shown_changes_ = 0;      // updates and corrections by then
+  double stamp_s_ = 0.0;            // of the latest scan
+  std::optional<double> shown_s_;   // of the last snapshot
+  std::int64_t shown_changes_ = 0;  // updates and corrections by then
 };
 
 }  // namespace gmapping_spa::ros

@@ -60,7 +60,8 @@ constexpr Renamed kRenamed[] = {
     {"occ_thresh", "occupied_threshold"},
 };
 
-// One that has no counterpart. Up to the value `harmless` it asks for nothing that is not so anyway.
+// One that has no counterpart. Up to the value `harmless` it asks for nothing that is not so
+// anyway.
 struct Refused {
   const char* parameter;
   double harmless;
@@ -84,7 +85,8 @@ constexpr Refused kRefused[] = {
 };
 
 // One that sets a member of NodeOptions.
-using SetMember = std::function<void(const std::string& name, const std::string& text, NodeOptions*)>;
+using SetMember =
+    std::function<void(const std::string& name, const std::string& text, NodeOptions*)>;
 const std::map<std::string, SetMember>& NodeMembers() {
   static const auto& members = *new std::map<std::string, SetMember>{
       {"map_frame",
@@ -106,14 +108,10 @@ const std::map<std::string, SetMember>& NodeMembers() {
        }},
       {"tf_delay",
        [](auto& name, auto& text, auto* node) { node->tf_delay_s = Number(name, text, 0, 3600); }},
-      {"minimumScore",
-       [](auto& name, auto& text, auto* node) {
-         node->minimum_score = Number(name, text, 0, 1e6);
-       }},
-      {"queue_limit_mb",
-       [](auto& name, auto& text, auto* node) {
-         node->queue_limit_mb = Number(name, text, 1e-3, 1e6);
-       }},
+      {"minimumScore", [](auto& name, auto& text,
+                          auto* node) { node->minimum_score = Number(name, text, 0, 1e6); }},
+      {"queue_limit_mb", [](auto& name, auto& text,
+                            auto* node) { node->queue_limit_mb = Number(name, text, 1e-3, 1e6); }},
       {"exit_on_time_jump",
        [](auto& name, auto& text, auto* node) { node->exit_on_time_jump = Truth(name, text); }},
   };
@@ -124,7 +122,9 @@ const std::map<std::string, SetMember>& NodeMembers() {
 // are left out.
 void AddRanges(const Parameters& parameters, std::vector<std::string>* flags) {
   const auto max_urange = parameters.find("maxUrange"), max_range = parameters.find("maxRange");
-  const auto value = [](const auto& found) { return Number(found->first, found->second, 0.01, 1e3); };
+  const auto value = [](const auto& found) {
+    return Number(found->first, found->second, 0.01, 1e3);
+  };
   if (max_urange != parameters.end()) {
     flags->push_back(Flag("usable_range_m", value(max_urange)));
     if (max_range != parameters.end() && value(max_range) > value(max_urange)) {
@@ -174,8 +174,9 @@ NodeParameters ReadParameters(const Parameters& parameters, const apps::FlagGrou
       read.flags.push_back(Flag(renamed->flag, Number(name, text, -1e9, 1e9)));
     } else if (const auto* refused = std::ranges::find_if(kRefused, is_named);
                refused != std::end(kRefused)) {
-      const bool asks = name == "inverted_laser" ? Truth(name, text)
-                                                 : Number(name, text, -1e9, 1e9) > refused->harmless;
+      const bool asks = name == "inverted_laser"
+                            ? Truth(name, text)
+                            : Number(name, text, -1e9, 1e9) > refused->harmless;
       if (asks) read.refusals.push_back("~" + name + " is not used: " + refused->reason);
     } else if (IsFlag(name, flag_groups)) {
       read.flags.push_back("--" + name + "=" + text);

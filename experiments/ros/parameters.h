@@ -19,7 +19,7 @@ struct NodeOptions {
   int throttle_scans = 1;  // one of so many scans is taken
   double map_update_interval_s = 5.0;
   double transform_publish_period_s = 0.05;  // 0: map -> odom is not published
-  std::optional<double> tf_delay_s;  // nothing: transform_publish_period_s
+  std::optional<double> tf_delay_s;          // nothing: transform_publish_period_s
   // Of a match, summed over the beams of a scan as slam_gmapping has it; nothing: match_min_score.
   std::optional<double> minimum_score;
   double queue_limit_mb = 256.0;   // of scans that wait, and of transforms as much again

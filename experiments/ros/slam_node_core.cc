@@ -137,9 +137,10 @@ void Core::TakeTf(std::string_view data, std::int64_t time_ns) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!Accepts(time_ns) || source_.Give(LiveSource::kTf, data, time_ns)) return;
   if (++counts_.transforms_refused == 1) {
-    output_->Say(Severity::kWarning,
-                 "the SLAM does not keep up: transforms are left out, as those that wait take all of "
-                 "~queue_limit_mb");
+    output_->Say(
+        Severity::kWarning,
+        "the SLAM does not keep up: transforms are left out, as those that wait take all of "
+        "~queue_limit_mb");
   }
 }
 
@@ -158,7 +159,8 @@ void Core::SetStartPose(const std::string& frame, const SpatialPose& map_T_robot
     output_->Say(Severity::kWarning, "the start pose is not used: " + reason);
   };
   if (counts_.used > 0) {
-    return refuse("the first scan has fixed the map frame, and a SLAM does not relocate in its map");
+    return refuse(
+        "the first scan has fixed the map frame, and a SLAM does not relocate in its map");
   }
   if (frame != options_.map_frame && frame != "/" + options_.map_frame) {
     return refuse("expected one in the frame '" + options_.map_frame + "', found '" + frame + "'");

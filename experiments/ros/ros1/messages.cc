@@ -95,8 +95,8 @@ diagnostic_msgs::DiagnosticArray DiagnosticsOf(const ScanCounts& counts, const s
   status.name = node + ": scans";
   const bool complete =
       counts.lost + counts.refused + counts.after_time_jump + counts.transforms_refused == 0;
-  status.level = complete ? diagnostic_msgs::DiagnosticStatus::OK
-                          : diagnostic_msgs::DiagnosticStatus::WARN;
+  status.level =
+      complete ? diagnostic_msgs::DiagnosticStatus::OK : diagnostic_msgs::DiagnosticStatus::WARN;
   status.message = complete ? "all scans are used" : "scans were left out";
   for (const auto& [name, value] : NamedCounts(counts)) {
     diagnostic_msgs::KeyValue pair;

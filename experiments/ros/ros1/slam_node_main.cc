@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/ros/run_node.h"
 #include "experiments/ros/ros1/slam_node.h"
+#include "experiments/ros/run_node.h"
 
 namespace gmapping_spa::ros {
 namespace {

@@ -31,12 +31,10 @@ TEST(Parameters, OfSlamGmappingBecomeFlags) {
                                     {"str", "0.5"},
                                     {"srt", "0.75"}});
   EXPECT_THAT(read.flags,
-              UnorderedElementsAre("--particles=30", "--linear_update_m=0.5",
-                                   "--angular_update_rad=0.25",
-                                   "--resolution_m=0.10000000000000001",
-                                   "--occupied_threshold=0.29999999999999999",
-                                   "--motion_linear_per_angular=0.5",
-                                   "--motion_angular_per_linear=0.75"));
+              UnorderedElementsAre(
+                  "--particles=30", "--linear_update_m=0.5", "--angular_update_rad=0.25",
+                  "--resolution_m=0.10000000000000001", "--occupied_threshold=0.29999999999999999",
+                  "--motion_linear_per_angular=0.5", "--motion_angular_per_linear=0.75"));
   EXPECT_THAT(read.refusals, IsEmpty());
 }
 
@@ -77,13 +75,45 @@ TEST(Parameters, ThatAskForNothingElseAreNotRefused) {
 
 // All that the page of slam_gmapping lists, and its program reads.
 TEST(Parameters, OfSlamGmappingAreAllKnown) {
-  for (const char* name :
-       {"throttle_scans", "base_frame", "map_frame", "odom_frame", "map_update_interval",
-        "maxUrange", "maxRange", "sigma", "kernelSize", "lstep", "astep", "iterations", "lsigma",
-        "ogain", "lskip", "minimumScore", "srr", "srt", "str", "stt", "linearUpdate",
-        "angularUpdate", "temporalUpdate", "resampleThreshold", "particles", "xmin", "ymin", "xmax",
-        "ymax", "delta", "llsamplerange", "llsamplestep", "lasamplerange", "lasamplestep",
-        "transform_publish_period", "occ_thresh", "tf_delay", "seed", "inverted_laser"}) {
+  for (const char* name : {"throttle_scans",
+                           "base_frame",
+                           "map_frame",
+                           "odom_frame",
+                           "map_update_interval",
+                           "maxUrange",
+                           "maxRange",
+                           "sigma",
+                           "kernelSize",
+                           "lstep",
+                           "astep",
+                           "iterations",
+                           "lsigma",
+                           "ogain",
+                           "lskip",
+                           "minimumScore",
+                           "srr",
+                           "srt",
+                           "str",
+                           "stt",
+                           "linearUpdate",
+                           "angularUpdate",
+                           "temporalUpdate",
+                           "resampleThreshold",
+                           "particles",
+                           "xmin",
+                           "ymin",
+                           "xmax",
+                           "ymax",
+                           "delta",
+                           "llsamplerange",
+                           "llsamplestep",
+                           "lasamplerange",
+                           "lasamplestep",
+                           "transform_publish_period",
+                           "occ_thresh",
+                           "tf_delay",
+                           "seed",
+                           "inverted_laser"}) {
     for (const std::string& line : Read({{name, "1"}}).refusals) {
       EXPECT_THAT(line, Not(HasSubstr("neither")));
     }
@@ -113,9 +143,13 @@ TEST(Parameters, OfTheFlagsOfGmappingSpaAreFlags) {
 }
 
 TEST(Parameters, ThatMakeNoSenseAreErrors) {
-  EXPECT_EQ(MessageOf([] { Read({{"throttle_scans", "none"}}); }),
+  EXPECT_EQ(MessageOf([] {
+              Read({{"throttle_scans", "none"}});
+            }),
             "~throttle_scans: expected a number from 1 to 1e+06, found 'none'");
-  EXPECT_EQ(MessageOf([] { Read({{"exit_on_time_jump", "2"}}); }),
+  EXPECT_EQ(MessageOf([] {
+              Read({{"exit_on_time_jump", "2"}});
+            }),
             "~exit_on_time_jump: expected true or false, found '2'");
 }
 

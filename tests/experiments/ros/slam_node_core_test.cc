@@ -81,10 +81,10 @@ class SlamNodeCoreTest : public testing::Test {
 
   void Give(int number) {
     const SE2 odom_T_robot = odom_T_start_ * RoomPose(number);
-    core_->TakeTf(rosbag::TfBytes(Encoding::kRos1, Time_ns(number), "odom", "base_link",
-                                  rosbag::Planar(odom_T_robot.x, odom_T_robot.y,
-                                                 odom_T_robot.theta)),
-                  Time_ns(number));
+    core_->TakeTf(
+        rosbag::TfBytes(Encoding::kRos1, Time_ns(number), "odom", "base_link",
+                        rosbag::Planar(odom_T_robot.x, odom_T_robot.y, odom_T_robot.theta)),
+        Time_ns(number));
     rosbag::ScanFields fields;
     fields.angle_min_rad = static_cast<float>(-std::numbers::pi / 2.0);
     fields.angle_increment_rad = static_cast<float>(std::numbers::pi / 180.0);
