@@ -31,13 +31,13 @@ SlamResult FinalOptimization::Finish(backend::PoseGraph path) {
     OptimizeAndReview(path, &graph);
   }
 
-  const std::vector<bool> is_drawn = DrawnScans(static_cast<int>(graph.nodes.size()));
-  backend::Trajectory trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
+  const std::vector<bool> is_drawn = DrawnScans();
+  backend::Trajectory trajectory = FilledTrajectory(graph);
   for (int round = 0; round < options_.refine; ++round) {
     if (round > 0) {
       UpdateOdometryEdges(trajectory, &path);
       Optimize(path, &graph);
-      trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
+      trajectory = FilledTrajectory(graph);
     }
     RefineScans(is_drawn, &trajectory);
     for (std::size_t node = 0; node < graph.nodes.size(); ++node) {
@@ -46,18 +46,27 @@ SlamResult FinalOptimization::Finish(backend::PoseGraph path) {
   }
 
   map::OccupancyGrid map(run_.grid);
-  for (int k = 0; k < run_.scans->size(); ++k) {
+  const int scans_of_map = run_.known ? KnownScans() : run_.scans->size();
+  for (int k = 0; k < scans_of_map; ++k) {
     if (is_drawn[k]) Register(k, trajectory, &map);
   }
   return {std::move(graph), std::move(trajectory), std::move(map)};
 }
 
+backend::Trajectory FinalOptimization::FilledTrajectory(const backend::PoseGraph& graph) const {
+  backend::Trajectory trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
+  if (run_.known) std::copy(run_.known->begin(), run_.known->end(), trajectory.begin());
+  return trajectory;
+}
+
 // Of each scan whether it fits, and belongs to the largest pieces that are joined.
-std::vector<bool> FinalOptimization::DrawnScans(int nodes) const {
+std::vector<bool> FinalOptimization::DrawnScans() const {
+  const int nodes = static_cast<int>(run_.node_scans->size());
   std::vector<bool> is_drawn(run_.scans->size(), true);
   if (run_.pieces) {
-    const std::vector<bool> largest = run_.pieces->Largest(
-        nodes, run_.loop_closer ? run_.loop_closer->closures() : std::vector<backend::Edge>());
+    const std::vector<bool> largest =
+        run_.pieces->Largest(run_.nodes_of_map, run_.loop_closer ? run_.loop_closer->closures()
+                                                                 : std::vector<backend::Edge>());
     int node = 0;  // the last one up to the scan
     for (int k = 0; k < run_.scans->size(); ++k) {
       if (node + 1 < nodes && run_.node_scans->at(node + 1) <= k) ++node;
@@ -106,7 +115,7 @@ void FinalOptimization::RefineScans(const std::vector<bool>& is_drawn,
   for (const int position : *run_.node_scans) {
     if (is_drawn[position]) Register(position, *trajectory, &map);
   }
-  for (int k = 0; k < run_.scans->size(); ++k) {
+  for (int k = KnownScans(); k < run_.scans->size(); ++k) {
     if (!is_drawn[k]) continue;
     const sensor::LaserScan scan = run_.scans->Get(k);
     const scan_matching::ScanPoints points = scan_matching::MakeScanPoints(scan);

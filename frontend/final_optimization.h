@@ -48,6 +48,11 @@ class FinalOptimization {
     map::OccupancyGrid::Options grid;
     map::InsertionOptions insertion;
     const loop_closure::Pieces* pieces = nullptr;  // null: the path is all one
+    // The pieces that hold the most of so many first nodes, and what is joined with them, are the
+    // map.
+    int nodes_of_map = 0;
+    // Poses of the first scans that are known: they stay, and make the map alone. Null: none.
+    const backend::Trajectory* known = nullptr;
     // Of each scan whether it fits nothing, and is not drawn; null: none.
     const std::vector<bool>* is_lost = nullptr;
     loop_closure::LoopCloser* loop_closer;  // null: no closures
@@ -62,9 +67,11 @@ class FinalOptimization {
   SlamResult Finish(backend::PoseGraph path);
 
  private:
-  std::vector<bool> DrawnScans(int nodes) const;
+  std::vector<bool> DrawnScans() const;
   bool Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
   void OptimizeAndReview(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
+  backend::Trajectory FilledTrajectory(const backend::PoseGraph& graph) const;
+  int KnownScans() const { return run_.known ? static_cast<int>(run_.known->size()) : 0; }
   void RefineScans(const std::vector<bool>& is_drawn, backend::Trajectory* trajectory) const;
   void UpdateOdometryEdges(const backend::Trajectory& trajectory, backend::PoseGraph* path) const;
   sensor::LaserScan ScanOfNode(int node) const { return run_.scans->Get((*run_.node_scans)[node]); }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "frontend/health.h"
 #include "frontend/loop_closure/loop_closer.h"
 #include "frontend/map_area.h"
+#include "frontend/map_session.h"
 #include "frontend/particle_filter/particle_filter.h"
 #include "frontend/scan_matching/scan_matcher.h"
 #include "frontend/scan_poses.h"
@@ -66,6 +68,11 @@ class ImprovedGmapping {
     std::int64_t corrections = 0;
     std::int64_t pieces = 1;    // of the map: one more each time the robot was lost
     std::int64_t searched = 0;  // scans for which a window was searched
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(scans, updates, resamplings, failed_matches, corrections, pieces, searched);
+    }
   };
 
   // `optimize` is the back end; it is called in a thread of its own.
@@ -78,9 +85,20 @@ class ImprovedGmapping {
     graph_thread_.StopWaitingWhen(std::move(is_asked));
   }
 
+  // See GraphThread::KeepStateOf.
+  void KeepStateOf(std::shared_ptr<backend::Optimizer> optimizer) {
+    graph_thread_.KeepStateOf(std::move(optimizer));
+  }
+
   // `measured`: not deskewed. Throws std::runtime_error when the odometry leads out of the area
   // that a map can cover.
   ScanResult AddScan(const sensor::LaserScan& measured);
+
+  // Scans to come are of another log, from another start: a new piece of map, until the robot is
+  // found in the map of all scans up to now, which FinalOptimization makes. Needs a scan. Health
+  // and counts begin anew; rows of trajectories go on.
+  void BeginSession(MapSession::Use use);
+  const std::optional<MapSession>& session() const { return session_; }
 
   // The pose graph as it is now: the best particle's path, one node per update with ids 0, 1, ...,
   // and the accepted loop closures.
@@ -105,10 +123,28 @@ class ImprovedGmapping {
   const Health& health() const { return health_; }
   // Time from the first beam of a scan to the last one, s, by which scans are deskewed.
   double sweep_s() const { return control_.sweep_s(); }
+  // All scans so far.
+  const sensor::ScanArchive& scans() const { return archive_; }
+
+  // For sessions (frontend/session): all but what the options say.
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(filter_, health_, control_, loop_closer_, area_, archive_, node_scans_, scan_poses_,
+            is_lost_, odom_T_scan_, odom_T_last_update_, increments_since_update_,
+            noise_since_update_, linear_since_update_m_, angular_since_update_rad_,
+            updates_since_optimization_, closure_waits_, world_T_nodes_before_, closures_before_,
+            is_drawn_, counts_, graph_thread_);
+  }
 
  private:
   void Process(const sensor::LaserScan& measured, ScanResult* result);
   void BeginPiece(int scans);
+  bool BeginsSession() const { return session_ && archive_.size() == session_->scans(); }
+  void LookForRobot(const sensor::LaserScan& scan, const backend::SE2& motion);
+  // Nodes by which it is decided which pieces are the map: those of before, if there are any.
+  int NodesOfMap() const {
+    return session_ ? session_->nodes() : static_cast<int>(node_scans_.size());
+  }
   particle_filter::ParticleFilter::Control ControlSinceUpdate() const;
   bool UpdateIsDue(const backend::SE2& u, double density);
   void ApplyOptimizedGraph(const backend::PoseGraph& optimized);
@@ -147,6 +183,7 @@ class ImprovedGmapping {
   std::vector<backend::SE2> world_T_nodes_before_;  // of the optimization that runs
   std::vector<backend::Edge> closures_before_;      // that it knows
   std::vector<bool> is_drawn_ = {true};  // of each piece whether the particles' maps hold it
+  std::optional<MapSession> session_;
   Counts counts_;
 };
 

@@ -58,6 +58,12 @@ class LoopCloser {
   // Looks for closures of all nodes, with what is known by now.
   int UpdateAll(const std::vector<backend::SE2>& estimate, const ScanOfNode& scan_of_node);
 
+  // Accepts a closure that was found elsewhere.
+  void Add(const ClosureRecord& record) {
+    records_.push_back(record);
+    Accept(records_.size() - 1);
+  }
+
   // Releases those accepted closures that an optimized graph with all of them contradicts most, and
   // accepts those released that it agrees with. Returns the number of both: optimize anew, unless
   // zero. `world_T_nodes`: as optimized with closures().
@@ -71,6 +77,12 @@ class LoopCloser {
 
   // Of every candidate that was looked at.
   const std::vector<ClosureRecord>& records() const { return records_; }
+
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(global_, pieces_, accepted_, closures_, records_, last_search_m_);
+  }
 
  private:
   int SearchNear(const std::vector<backend::SE2>& world_T_nodes,

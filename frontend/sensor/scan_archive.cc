@@ -48,13 +48,18 @@ int ScanArchive::Add(const LaserScan& scan, const Eigen::Vector3d& velocity) {
     entry.angles_rad = std::make_shared<const std::vector<double>>(std::move(angles_rad));
   }
   // Half of the sweep comes after the stamp, or all of it.
-  if (!scans_.empty()) {
+  if (size() > (sessions_.empty() ? 0 : sessions_.back().end)) {
     Entry& before = scans_.back();
     before.velocity = before.sweep_s > 0.0 ? velocity : 0.5 * (latest_velocity_ + velocity);
   }
   latest_velocity_ = velocity;
   scans_.push_back(std::move(entry));
   return size() - 1;
+}
+
+void ScanArchive::BeginSession() {
+  sessions_.push_back({size(), sweep_s_});
+  sweep_s_ = 0.0;
 }
 
 LaserScan ScanArchive::Get(int position) const {
@@ -65,7 +70,26 @@ LaserScan ScanArchive::Get(int position) const {
   for (std::size_t k = 0; k < entry.ranges_m.size(); ++k) {
     scan.beams.push_back(Unpacked((*entry.angles_rad)[k], entry.ranges_m[k]));
   }
-  return Deskew(std::move(scan), sweep_s_ * entry.velocity);
+  const auto session = std::find_if(sessions_.begin(), sessions_.end(),
+                                    [=](const Session& one) { return position < one.end; });
+  const double sweep_s = session == sessions_.end() ? sweep_s_ : session->sweep_s;
+  return Deskew(std::move(scan), sweep_s * entry.velocity);
+}
+
+bool ScanArchive::Holds(int position, const LaserScan& scan) const {
+  const Entry& entry = scans_.at(position);
+  const std::vector<double>& angles_rad = *entry.angles_rad;
+  if (entry.index != scan.index || entry.stamp_s != scan.stamp_s ||
+      entry.odom_T_robot != scan.odom_T_robot || entry.robot_T_laser != scan.robot_T_laser ||
+      entry.sweep_s != scan.sweep_s || entry.ranges_m.size() != scan.beams.size()) {
+    return false;
+  }
+  for (std::size_t k = 0; k < scan.beams.size(); ++k) {
+    if (entry.ranges_m[k] != Packed(scan.beams[k]) || angles_rad[k] != scan.beams[k].angle_rad) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace gmapping_spa::sensor
