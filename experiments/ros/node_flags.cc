@@ -6,7 +6,10 @@
 #include <stdexcept>
 
 #include "experiments/apps/log_flags.h"
+#include "experiments/apps/session_flags.h"
 #include "experiments/apps/slam_flags.h"
+
+DECLARE_string(resume);
 
 DEFINE_string(output_dir, "",
               "Folder for the results at the end, as gmapping_spa writes them; made if needed. "
@@ -16,7 +19,8 @@ namespace gmapping_spa::ros {
 
 apps::FlagGroups NodeFlagGroups() {
   const apps::FlagGroups output = {{"output", "Output", {"output_dir"}}};
-  return apps::Join({output, apps::LogFlagGroups(), apps::SlamFlagGroups()});
+  return apps::Join(
+      {output, apps::LogFlagGroups(), apps::SlamFlagGroups(), apps::SessionFlagGroups()});
 }
 
 sensor::LogOptions LogOptionsOfNode() {
@@ -25,6 +29,11 @@ sensor::LogOptions LogOptionsOfNode() {
     throw std::runtime_error(
         "--scan_topic, --odometry_topic: expected none, as a node's topics are remapped "
         "(scan:=base_scan) and odometry comes from tf");
+  }
+  if (!FLAGS_resume.empty()) {
+    throw std::runtime_error(
+        "--resume: expected none, as a session goes on with the scans of its run, which a robot "
+        "does not send again: gmapping_spa takes it with a bag of them");
   }
   return options;
 }

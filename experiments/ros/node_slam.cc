@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <string>
 
 #include "backend/graph/pose_graph_sink.h"
 #include "experiments/apps/health_record.h"
 #include "experiments/apps/output_files.h"
+#include "experiments/apps/session_flags.h"
 #include "experiments/apps/slam_flags.h"
 #include "experiments/ros/node_flags.h"
 #include "frontend/map/map_building.h"
@@ -21,6 +23,8 @@ namespace gmapping_spa::ros {
 using backend::SE2;
 
 namespace {
+
+constexpr const char* kLog = "live";  // in a session
 
 void AddMap(const map::TrinaryMap& map, const SE2& map_T_world, Snapshot* snapshot) {
   snapshot->width = map.width;
@@ -61,18 +65,24 @@ double EntropyOfWeights(const std::vector<double>& log_weights, double gain) {
 }
 
 NodeSlam::NodeSlam(double map_update_interval_s, std::optional<double> minimum_score)
-    : run_(std::make_unique<apps::SlamRun>()),
-      map_update_interval_s_(map_update_interval_s),
-      minimum_score_(minimum_score) {}
+    : map_update_interval_s_(map_update_interval_s), minimum_score_(minimum_score) {
+  MakeRun();
+}
+
+void NodeSlam::MakeRun() {
+  run_ = std::make_unique<apps::SlamRun>();
+  saver_ = apps::MakeSessionSaver(run_.get());
+}
 
 SE2 NodeSlam::AddScan(const sensor::LaserScan& scan) {
   if (minimum_score_ && run_->counts().scans == 0) {
     // A mean here, a sum there: only now it is known of how many beams.
     const double mean = *minimum_score_ / static_cast<double>(scan.beams.size());
     gflags::SetCommandLineOption("match_min_score", std::to_string(mean).c_str());
-    run_ = std::make_unique<apps::SlamRun>();
+    MakeRun();
   }
   run_->AddScan(scan);
+  if (saver_ && saver_->IsDue()) saver_->WriteCheckpoint(run_->MakeSession(kLog));
   stamp_s_ = scan.stamp_s;
   return run_->gmapping().CurrentPose();
 }
@@ -100,7 +110,14 @@ std::optional<Snapshot> NodeSlam::DueSnapshot(const SE2& map_T_world) {
   return snapshot;
 }
 
+void NodeSlam::SaveSession() {
+  if (!saver_) throw std::runtime_error("~save_session: expected the file for the session");
+  if (run_->counts().scans == 0) throw std::runtime_error("there was no scan yet");
+  saver_->WriteLast(run_->MakeSession(kLog));
+}
+
 void NodeSlam::Finish(const sensor::LogCounts& counts, const std::function<apps::Json()>& input) {
+  if (saver_ && run_->counts().scans > 0) SaveSession();
   const std::string folder = OutputFolderFromFlags();
   if (folder.empty() || run_->counts().scans == 0) {
     apps::WarnOf(counts);

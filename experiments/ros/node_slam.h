@@ -11,6 +11,7 @@
 
 #include "backend/se2.h"
 #include "experiments/apps/json.h"
+#include "experiments/apps/session_saver.h"
 #include "experiments/apps/slam_run.h"
 #include "experiments/ros/node_output.h"
 #include "frontend/sensor/laser_scan.h"
@@ -36,11 +37,18 @@ class NodeSlam {
   // changed: of the first scan at once.
   std::optional<Snapshot> DueSnapshot(const backend::SE2& map_T_world);
 
+  // Writes the session to the file that --save_session names. Throws std::runtime_error with one
+  // line where it names none, or that is not possible.
+  void SaveSession();
+
   // Says what was noticed, and writes the results where --output_dir says.
   void Finish(const sensor::LogCounts& counts, const std::function<apps::Json()>& input);
 
  private:
+  void MakeRun();
+
   std::unique_ptr<apps::SlamRun> run_;
+  std::unique_ptr<apps::SessionSaver> saver_;  // null without --save_session
   double map_update_interval_s_;
   std::optional<double> minimum_score_;
   double stamp_s_ = 0.0;            // of the latest scan

@@ -67,6 +67,7 @@ class Core : public SlamNodeCore {
   const std::string& odom_frame() const override { return odom_frame_; }
   ScanCounts counts() const override;
   bool failed() const override;
+  void SaveSession() override;
   void Finish() override;
 
  private:
@@ -80,7 +81,8 @@ class Core : public SlamNodeCore {
   const std::string odom_frame_;
   NodeOutput* const output_;
   LiveSource source_;
-  std::unique_ptr<sensor::LogReader> reader_;  // of the thread, as is slam_
+  std::unique_ptr<sensor::LogReader> reader_;  // of the thread
+  std::mutex slam_mutex_;                      // taken before mutex_
   NodeSlam slam_;
   std::map<std::string, std::int64_t> said_;  // findings
 
@@ -212,6 +214,7 @@ void Core::Work() {
 }
 
 void Core::Use(const sensor::LaserScan& scan) {
+  const std::lock_guard<std::mutex> slam_lock(slam_mutex_);
   const SE2 world_T_robot = slam_.AddScan(scan);
   SE2 map_T_world;
   {
@@ -233,6 +236,11 @@ void Core::SayFindings() {
   }
 }
 
+void Core::SaveSession() {
+  const std::lock_guard<std::mutex> lock(slam_mutex_);
+  slam_.SaveSession();
+}
+
 void Core::Stop() {
   source_.Close(kGrace);
   if (thread_.joinable()) thread_.join();
@@ -244,7 +252,7 @@ void Core::Finish() {
   apps::Json json;
   for (const auto& [name, value] : NamedCounts(counts)) json[name] = value;
   output_->Say(Severity::kInfo, "scans: " + json.dump());
-  if (counts.lost + counts.refused + counts.after_time_jump + counts.waiting > 0) {
+  if (!IsComplete(counts) || counts.waiting > 0) {
     output_->Say(Severity::kWarning, "not all scans are in the map: " + json.dump());
   }
   slam_.Finish(reader_->counts(), [&] { return apps::Json{{"live_scans", json}}; });
@@ -252,6 +260,10 @@ void Core::Finish() {
 }
 
 }  // namespace
+
+bool IsComplete(const ScanCounts& counts) {
+  return counts.lost + counts.refused + counts.after_time_jump + counts.transforms_refused == 0;
+}
 
 std::vector<std::pair<std::string, std::int64_t>> NamedCounts(const ScanCounts& counts) {
   return {{"lost", counts.lost},

@@ -29,6 +29,9 @@ struct ScanCounts {
   std::int64_t transforms_refused = 0;  // messages, for want of room
 };
 
+// Whether all that came is used, was to be left out, or waits.
+bool IsComplete(const ScanCounts& counts);
+
 // By the names above.
 std::vector<std::pair<std::string, std::int64_t>> NamedCounts(const ScanCounts& counts);
 
@@ -39,7 +42,7 @@ struct SpatialPose {
 };
 
 // Reads messages as bags are read (frontend/rosbag), in a thread of its own. All functions may be
-// called from any thread and do not wait for the SLAM, but the destructor and Finish.
+// called from any thread and do not wait for the SLAM, but the destructor, SaveSession and Finish.
 class SlamNodeCore {
  public:
   virtual ~SlamNodeCore() = default;
@@ -60,6 +63,10 @@ class SlamNodeCore {
   virtual ScanCounts counts() const = 0;
   // Whether there is no point in going on: Finish throws.
   virtual bool failed() const = 0;
+
+  // Writes the session to the file that --save_session names, when the scan at hand is used. Throws
+  // std::runtime_error with one line where it names none, or that is not possible.
+  virtual void SaveSession() = 0;
 
   // Uses what waits, for ten seconds at most, then makes the results and writes them where
   // --output_dir says. Throws std::runtime_error with one line where the SLAM failed. Call it once.

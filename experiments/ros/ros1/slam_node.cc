@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/ros/ros1/slam_node.h"
 
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <geometry_msgs/TransformStamped.h>
 #include <nav_msgs/MapMetaData.h>
+#include <nav_msgs/OccupancyGrid.h>
 #include <ros/serialization.h>
 #include <std_msgs/Float64.h>
+#include <std_msgs/Header.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <chrono>
+#include <exception>
 #include <iostream>
 #include <string_view>
 #include <utility>
 
 #include "experiments/apps/app.h"
-#include "experiments/ros/ros1/messages.h"
+#include "experiments/ros/messages.h"
 
 namespace gmapping_spa::ros {
 namespace {
@@ -47,6 +53,7 @@ SlamNode::SlamNode(const NodeOptions& options)
   start_pose_ = handle_.subscribe("initialpose", 1, &SlamNode::OnPose, this);
   set_pose_ = handle_.subscribe("set_pose", 1, &SlamNode::OnPose, this);
   dynamic_map_ = handle_.advertiseService("dynamic_map", &SlamNode::OnDynamicMap, this);
+  save_session_ = private_handle_.advertiseService("save_session", &SlamNode::OnSaveSession, this);
   if (options_.transform_publish_period_s > 0.0) {
     transform_thread_ = std::thread([this] { PublishTransforms(); });
   }
@@ -58,15 +65,15 @@ SlamNode::~SlamNode() {
 }
 
 void SlamNode::Spin() {
-  ::ros::AsyncSpinner spinner(1);
+  ::ros::AsyncSpinner spinner(2);  // while one saves a session, the other takes scans
   spinner.start();
   auto next_diagnostics = std::chrono::steady_clock::now();
   while (::ros::ok() && apps::ReceivedSignal() == 0 && !core_->failed()) {
     ::ros::WallDuration(0.05).sleep();
     if (std::chrono::steady_clock::now() < next_diagnostics) continue;
     next_diagnostics += std::chrono::seconds(1);
-    diagnostic_msgs::DiagnosticArray array =
-        DiagnosticsOf(core_->counts(), ::ros::this_node::getName());
+    auto array = DiagnosticsOf<diagnostic_msgs::DiagnosticArray>(core_->counts(),
+                                                                 ::ros::this_node::getName());
     array.header.stamp = ::ros::Time::now();
     diagnostics_.publish(array);
   }
@@ -85,10 +92,13 @@ void SlamNode::Say(Severity severity, const std::string& line) {
 }
 
 void SlamNode::Show(const Snapshot& snapshot) {
-  nav_msgs::OccupancyGrid grid = GridOf(snapshot, options_.map_frame);
+  std_msgs::Header header;
+  header.frame_id = options_.map_frame;
+  header.stamp.fromSec(snapshot.stamp_s);
+  auto grid = GridOf<nav_msgs::OccupancyGrid>(snapshot, header);
   map_.publish(grid);
   map_metadata_.publish(grid.info);
-  graph_.publish(MarkersOf(snapshot, options_.map_frame));
+  graph_.publish(MarkersOf<visualization_msgs::MarkerArray>(snapshot, header));
   std_msgs::Float64 entropy;
   entropy.data = snapshot.entropy;
   entropy_.publish(entropy);
@@ -121,6 +131,19 @@ bool SlamNode::OnDynamicMap(nav_msgs::GetMap::Request& /*request*/,
   return true;
 }
 
+bool SlamNode::OnSaveSession(std_srvs::Trigger::Request& /*request*/,
+                             std_srvs::Trigger::Response& response) {
+  try {
+    core_->SaveSession();
+    response.success = 1;
+    response.message = "saved";
+  } catch (const std::exception& error) {
+    response.success = 0;
+    response.message = error.what();
+  }
+  return true;
+}
+
 void SlamNode::PublishTransforms() {
   ::ros::Rate rate(1.0 / options_.transform_publish_period_s);
   const ::ros::Duration delay(options_.tf_delay_s.value_or(options_.transform_publish_period_s));
@@ -131,7 +154,8 @@ void SlamNode::PublishTransforms() {
     transform.header.frame_id = options_.map_frame;
     transform.header.stamp = ::ros::Time::now() + delay;
     transform.child_frame_id = core_->odom_frame();
-    transform.transform = TransformOf(*map_T_odom);
+    SetPosition(*map_T_odom, &transform.transform.translation);
+    SetHeading(*map_T_odom, &transform.transform.rotation);
     broadcaster_.sendTransform(transform);
   }
 }

@@ -7,6 +7,7 @@
 #include <nav_msgs/GetMap.h>
 #include <ros/ros.h>
 #include <sensor_msgs/LaserScan.h>
+#include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/transform_broadcaster.h>
 
@@ -40,6 +41,7 @@ class SlamNode : private NodeOutput {
   void OnTf(const tf2_msgs::TFMessage::ConstPtr& transforms);
   void OnPose(const geometry_msgs::PoseWithCovarianceStamped::ConstPtr& pose);
   bool OnDynamicMap(nav_msgs::GetMap::Request& request, nav_msgs::GetMap::Response& response);
+  bool OnSaveSession(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   void PublishTransforms();
 
   const NodeOptions options_;
@@ -54,7 +56,7 @@ class SlamNode : private NodeOutput {
   const std::unique_ptr<SlamNodeCore> core_;
   // Behind the core, whose functions they call.
   ::ros::Subscriber scans_, tf_, tf_static_, start_pose_, set_pose_;
-  ::ros::ServiceServer dynamic_map_;
+  ::ros::ServiceServer dynamic_map_, save_session_;
   std::thread transform_thread_;
 };
 

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -17,9 +19,11 @@
 #include <vector>
 
 #include "backend/se2.h"
+#include "frontend/session/session_file.h"
 #include "tests/frontend/rosbag/small_bag.h"
 #include "tests/frontend/synthetic_room.h"
 #include "tests/message_of.h"
+#include "tests/temporary_folder.h"
 
 namespace gmapping_spa::ros {
 namespace {
@@ -234,6 +238,23 @@ TEST_F(SlamNodeCoreTest, EndsBeforeTheFirstScanWithoutAnError) {
   Begin();
   core_->Finish();
   EXPECT_FALSE(core_->failed());
+}
+
+TEST_F(SlamNodeCoreTest, SavesASessionWhereItIsTold) {
+  const TemporaryFolder folder;
+  Begin();
+  EXPECT_THAT(MessageOf([&] { core_->SaveSession(); }), HasSubstr("~save_session: expected"));
+  gflags::SetCommandLineOption("save_session", folder.Path("robot.session").c_str());
+  Begin();
+  EXPECT_EQ(MessageOf([&] { core_->SaveSession(); }), "there was no scan yet");
+  for (int i = 0; i < 30; ++i) Give(i);
+  ASSERT_TRUE(WaitUntil([&] { return core_->counts().used > 10; }));
+  core_->SaveSession();
+  EXPECT_TRUE(std::filesystem::exists(folder.Path("robot.session")));
+  core_->Finish();
+  std::ifstream file(folder.Path("robot.session"), std::ios::binary);
+  EXPECT_EQ(session::ReadSession(&file, "session").info.scans, 30);
+  gflags::SetCommandLineOption("save_session", "");
 }
 
 TEST_F(SlamNodeCoreTest, MakesTheMinimumScoreAMeanOverTheBeams) {
