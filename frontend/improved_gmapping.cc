@@ -30,9 +30,7 @@ ScanResult ImprovedGmapping::AddScan(const sensor::LaserScan& measured) {
   const Counts before = counts_;
   ScanResult result;
   if (session_) {
-    sensor::LaserScan numbered = measured;
-    numbered.index += session_->known().first_index;
-    Process(numbered, &result);
+    Process(session_->Numbered(measured), &result);
   } else {
     Process(measured, &result);
   }
@@ -225,7 +223,11 @@ backend::Trajectory ImprovedGmapping::CurrentTrajectory() const {
 SlamResult ImprovedGmapping::CurrentResult() const {
   backend::PoseGraphRecorder recorder;
   EmitGraph(&recorder);
-  return {recorder.graph(), CurrentTrajectory(), CurrentMap()};
+  const std::vector<bool> is_drawn = DrawnScans(session_ ? DrawnInTheEnd() : is_drawn_);
+  const std::vector<std::size_t> rows = archive_.Rows();
+  std::vector<bool> is_placed(rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) is_placed[rows[k]] = is_drawn[k];
+  return {recorder.graph(), CurrentTrajectory(), CurrentMap(), std::move(is_placed)};
 }
 
 SlamResult ImprovedGmapping::FinishEarly() {
@@ -247,15 +249,14 @@ SlamResult ImprovedGmapping::Finish() {
        .grid = options_.filter.grid,
        .insertion = options_.filter.insertion,
        .pieces = &pieces,
-       .nodes_of_map = NodesOfMap(),
        .known = session_ && session_->is_fixed() ? &session_->known().trajectory : nullptr,
-       .is_lost = &is_lost_,
+       .drawn_scans = [this] { return DrawnScans(DrawnInTheEnd()); },
        .loop_closer = options_.close_loops ? &loop_closer_ : nullptr,
        .optimize = [this](const backend::PoseGraph& graph) { return graph_thread_.Run(graph); }});
   backend::PoseGraphRecorder path;
   EmitPath(&path);
   SlamResult estimate = final_optimization.Finish(path.graph());
-  ReportPieces(pieces.Largest(NodesOfMap(), loop_closer_.closures()));
+  ReportPieces(DrawnInTheEnd());
   ReportClosures(backend::PosesOf(estimate.graph));
   return estimate;
 }

@@ -125,6 +125,8 @@ class ImprovedGmapping {
   double sweep_s() const { return control_.sweep_s(); }
   // All scans so far.
   const sensor::ScanArchive& scans() const { return archive_; }
+  // Whether this is the scan that AddScan was given as the k-th one of the session, from 0.
+  bool HasTaken(std::int64_t k, const sensor::LaserScan& scan) const;
 
   // For sessions (frontend/session): all but what the options say.
   template <typename Archive>
@@ -134,6 +136,12 @@ class ImprovedGmapping {
             noise_since_update_, linear_since_update_m_, angular_since_update_rad_,
             updates_since_optimization_, closure_waits_, world_T_nodes_before_, closures_before_,
             is_drawn_, counts_, graph_thread_);
+    bool in_session = session_.has_value();
+    archive(in_session);
+    if (!in_session) return;
+    if (!session_)
+      session_.emplace(MapSession::Use::kMapOn, MapSession::Known(options_.filter.grid));
+    archive(*session_);
   }
 
  private:
@@ -141,10 +149,8 @@ class ImprovedGmapping {
   void BeginPiece(int scans);
   bool BeginsSession() const { return session_ && archive_.size() == session_->scans(); }
   void LookForRobot(const sensor::LaserScan& scan, const backend::SE2& motion);
-  // Nodes by which it is decided which pieces are the map: those of before, if there are any.
-  int NodesOfMap() const {
-    return session_ ? session_->nodes() : static_cast<int>(node_scans_.size());
-  }
+  std::vector<bool> DrawnInTheEnd() const;
+  std::vector<bool> DrawnScans(const std::vector<bool>& is_piece_drawn) const;
   particle_filter::ParticleFilter::Control ControlSinceUpdate() const;
   bool UpdateIsDue(const backend::SE2& u, double density);
   void ApplyOptimizedGraph(const backend::PoseGraph& optimized);

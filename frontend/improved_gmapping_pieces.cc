@@ -45,6 +45,24 @@ sensor::LaserScan ImprovedGmapping::DrawnScanOfNode(int node) const {
   return scan;
 }
 
+// Those that hold the most of the nodes, and what is joined with them: in a session the most of the
+// nodes of before, whose map it goes on with.
+std::vector<bool> ImprovedGmapping::DrawnInTheEnd() const {
+  const int nodes = session_ ? session_->nodes() : static_cast<int>(node_scans_.size());
+  return loop_closer_.pieces().Largest(nodes, loop_closer_.closures());
+}
+
+std::vector<bool> ImprovedGmapping::DrawnScans(const std::vector<bool>& is_piece_drawn) const {
+  std::vector<bool> is_drawn(is_lost_.size());
+  std::size_t node = 0;  // the last one up to the scan
+  for (std::size_t k = 0; k < is_lost_.size(); ++k) {
+    if (node + 1 < node_scans_.size() && node_scans_[node + 1] <= static_cast<int>(k)) ++node;
+    const int piece = loop_closer_.pieces().PieceOf(static_cast<int>(node));
+    is_drawn[k] = !is_lost_[k] && is_piece_drawn[piece];
+  }
+  return is_drawn;
+}
+
 void ImprovedGmapping::ReportPieces(const std::vector<bool>& is_drawn) {
   const loop_closure::Pieces& pieces = loop_closer_.pieces();
   for (int piece = 0; piece < pieces.size(); ++piece) {
@@ -72,7 +90,7 @@ void ImprovedGmapping::BeginSession(MapSession::Use use) {
   filter_.CorrectHistories({filter_.PosesOfPath(0), world_T_nodes},
                            [this](int node) { return DrawnScanOfNode(node); });
   const loop_closure::Pieces& pieces = loop_closer_.pieces();
-  const std::vector<bool> is_drawn = pieces.Largest(NodesOfMap(), loop_closer_.closures());
+  const std::vector<bool> is_drawn = DrawnInTheEnd();
   std::vector<int> nodes;
   for (int node = 0; node < static_cast<int>(node_scans_.size()); ++node) {
     if (is_drawn[pieces.PieceOf(node)]) nodes.push_back(node);
@@ -81,15 +99,23 @@ void ImprovedGmapping::BeginSession(MapSession::Use use) {
   for (int k = 0; k < archive_.size(); ++k) {
     first_index = std::max(first_index, archive_.IndexOf(k) + 1);
   }
-  session_.emplace(use, MapSession::Known{.world_T_nodes = world_T_nodes,
-                                          .nodes = std::move(nodes),
-                                          .map = known.map,
-                                          .trajectory = known.trajectory,
-                                          .first_index = first_index});
+  MapSession::Known of_before(options_.filter.grid);
+  of_before.world_T_nodes = world_T_nodes;
+  of_before.nodes = std::move(nodes);
+  of_before.map = known.map;
+  of_before.trajectory = known.trajectory;
+  of_before.first_index = first_index;
+  session_.emplace(use, std::move(of_before));
   archive_.BeginSession();
   health_ = Health();
   control_ = ControlInput(options_.control, &health_);
   counts_ = Counts();
+}
+
+bool ImprovedGmapping::HasTaken(std::int64_t k, const sensor::LaserScan& scan) const {
+  return session_
+             ? archive_.Holds(static_cast<int>(session_->scans() + k), session_->Numbered(scan))
+             : archive_.Holds(static_cast<int>(k), scan);
 }
 
 void ImprovedGmapping::LookForRobot(const sensor::LaserScan& scan, const SE2& motion) {

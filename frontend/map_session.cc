@@ -22,11 +22,12 @@ Eigen::Matrix3d Rotated(const Eigen::Matrix3d& map_information, double node_thet
 
 }  // namespace
 
-MapSession::MapSession(Use use, Known known)
-    : use_(use), known_(std::move(known)), localizer_({}, &known_.map) {}
+MapSession::MapSession(Use use, Known known) : use_(use), known_(std::move(known)) {
+  MakeLocalizer();
+}
 
 void MapSession::BeginPiece() {
-  localizer_.Restart();
+  localizer_->Restart();
   searches_ = true;
   begin_s_.reset();
 }
@@ -35,7 +36,7 @@ std::optional<ClosureRecord> MapSession::AddScan(const sensor::LaserScan& scan, 
                                                  int node, const SE2& robot_T_node) {
   if (!searches_) return std::nullopt;
   if (!begin_s_) begin_s_ = scan.stamp_s;
-  const std::optional<localization::Located> located = localizer_.AddScan(scan, motion);
+  const std::optional<localization::Located> located = localizer_->AddScan(scan, motion);
   if (!located) return std::nullopt;
   searches_ = false;
   found_.push_back({scan.stamp_s, scan.stamp_s - *begin_s_});

@@ -31,11 +31,24 @@ class MapSession {
     map::OccupancyGrid map;
     backend::Trajectory trajectory;  // of all scans
     std::int64_t first_index = 0;    // of scans to come, LaserScan::index
+
+    explicit Known(const map::OccupancyGrid::Options& grid) : map(grid) {}
+
+    // For sessions (frontend/session).
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(world_T_nodes, nodes, map, trajectory, first_index);
+    }
   };
 
   struct Found {
     double stamp_s = 0.0;
     double after_s = 0.0;  // since the robot was first looked for
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(stamp_s, after_s);
+    }
   };
 
   MapSession(Use use, Known known);
@@ -46,6 +59,11 @@ class MapSession {
   const Known& known() const { return known_; }
   int nodes() const { return static_cast<int>(known_.world_T_nodes.size()); }  // of before
   int scans() const { return static_cast<int>(known_.trajectory.size()); }     // of before
+  // The scan with its index among those of both runs.
+  sensor::LaserScan Numbered(sensor::LaserScan scan) const {
+    scan.index += known_.first_index;
+    return scan;
+  }
   bool searches() const { return searches_; }
   const std::vector<Found>& found() const { return found_; }
 
@@ -59,10 +77,19 @@ class MapSession {
   // The robot is lost: looks for it anew.
   void BeginPiece();
 
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(use_, known_, searches_, begin_s_, found_);
+    if constexpr (Archive::is_loading::value) MakeLocalizer();
+    archive(*localizer_);
+  }
+
  private:
+  void MakeLocalizer() { localizer_.emplace(localization::Localizer::Options{}, &known_.map); }
+
   Use use_;
   Known known_;
-  localization::Localizer localizer_;  // refers to the map
+  std::optional<localization::Localizer> localizer_;  // refers to the map
   bool searches_ = true;
   std::optional<double> begin_s_;  // of the search
   std::vector<Found> found_;

@@ -9,6 +9,8 @@
 #include "experiments/apps/session_flags.h"
 #include "experiments/apps/slam_flags.h"
 
+DECLARE_bool(localize);
+DECLARE_string(map_session);
 DECLARE_string(resume);
 
 DEFINE_string(output_dir, "",
@@ -30,10 +32,10 @@ sensor::LogOptions LogOptionsOfNode() {
         "--scan_topic, --odometry_topic: expected none, as a node's topics are remapped "
         "(scan:=base_scan) and odometry comes from tf");
   }
-  if (!FLAGS_resume.empty()) {
+  if (!FLAGS_resume.empty() || !FLAGS_map_session.empty() || FLAGS_localize) {
     throw std::runtime_error(
-        "--resume: expected none, as a session goes on with the scans of its run, which a robot "
-        "does not send again: gmapping_spa takes it with a bag of them");
+        "--resume, --map_session, --localize: expected none, as a node begins a map of its own: "
+        "gmapping_spa takes them with a bag");
   }
   return options;
 }

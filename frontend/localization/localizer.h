@@ -56,6 +56,12 @@ class Localizer {
   // The robot is somewhere else: forgets what was seen.
   void Restart();
 
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(views_, way_m_, searched_m_);
+  }
+
  private:
   std::optional<Located> Decide(const std::vector<PlaceGuess>& guesses) const;
 

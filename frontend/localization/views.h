@@ -29,6 +29,11 @@ class Views {
     backend::SE2 odom_T_robot;
     double way_m = 0.0;  // driven up to here
     scan_matching::ScanPoints points;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(odom_T_robot, way_m, points);
+    }
   };
 
   explicit Views(const Options& options) : options_(options) {}
@@ -43,6 +48,12 @@ class Views {
 
   // End points of all views in the frame of the robot as it is now, at most one a cell of `cell_m`.
   scan_matching::ScanPoints Joined(double cell_m) const;
+
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(views_, odom_T_robot_, way_m_);
+  }
 
  private:
   Options options_;

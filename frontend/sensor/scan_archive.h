@@ -29,8 +29,14 @@ class ScanArchive {
 
   LaserScan Get(int position) const;
 
+  // As Add was given it, but for the rounding: not deskewed.
+  LaserScan Measured(int position) const;
+
   double StampOf(int position) const { return scans_.at(position).stamp_s; }
   std::int64_t IndexOf(int position) const { return scans_.at(position).index; }
+
+  // Of each scan its place in the order of the input, by index.
+  std::vector<std::size_t> Rows() const;
 
   // Whether Add was given this scan for the position.
   bool Holds(int position, const LaserScan& scan) const;
@@ -40,7 +46,7 @@ class ScanArchive {
   // For sessions (frontend/session).
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(scans_, latest_velocity_, sweep_s_);
+    archive(scans_, latest_velocity_, sweep_s_, sessions_);
   }
 
  private:
@@ -53,10 +59,12 @@ class ScanArchive {
     std::vector<float> ranges_m;  // negative: no return up to there; 0: invalid
     Eigen::Vector3d velocity;
     double sweep_s;  // as the log tells it
+    bool has_odometry;
 
     template <typename Archive>
     void serialize(Archive& archive) {
-      archive(index, stamp_s, odom_T_robot, robot_T_laser, angles_rad, ranges_m, velocity, sweep_s);
+      archive(index, stamp_s, odom_T_robot, robot_T_laser, angles_rad, ranges_m, velocity, sweep_s,
+              has_odometry);
     }
   };
   std::vector<Entry> scans_;
@@ -65,6 +73,11 @@ class ScanArchive {
   struct Session {  // that is over
     int end;        // one past its last scan
     double sweep_s;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(end, sweep_s);
+    }
   };
   std::vector<Session> sessions_;
 };

@@ -17,7 +17,8 @@ using loop_closure::ClosureRecord;
 class MapSessionTest : public testing::Test {
  protected:
   static MapSession::Known Known() {
-    MapSession::Known known{{}, {}, synthetic::MapOf(synthetic::Hall()), {}, 0};
+    MapSession::Known known({});
+    known.map = synthetic::MapOf(synthetic::Hall());
     for (double way_m = 0.0; way_m < 48.0; way_m += 1.0) {
       known.nodes.push_back(static_cast<int>(known.world_T_nodes.size()));
       known.world_T_nodes.push_back(synthetic::OnRing(way_m));
