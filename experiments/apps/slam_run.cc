@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -16,6 +17,7 @@
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/closure_table.h"
 #include "experiments/apps/health_record.h"
+#include "experiments/apps/localization_table.h"
 #include "experiments/apps/map_picture.h"
 #include "experiments/apps/result_flags.h"
 #include "experiments/apps/slam_flags.h"
@@ -38,8 +40,7 @@ SlamRun::SlamRun(const SlamOptions& options)
   gmapping_.StopWaitingWhen([] { return ReceivedSignal() != 0; });
 }
 
-void SlamRun::Resume(const session::Session& session, const std::string& name) {
-  CheckResultFlags(session.info.flags, name);
+void SlamRun::Load(const session::Session& session, const std::string& name) {
   gmapping_.KeepStateOf(optimizer_);
   try {
     session::LoadState(session.state, &gmapping_);
@@ -47,6 +48,19 @@ void SlamRun::Resume(const session::Session& session, const std::string& name) {
     throw std::runtime_error(name + ": expected the state of a run with these flags, found one " +
                              "that does not fit: " + error.what());
   }
+}
+
+void SlamRun::GoOnInMapOf(const session::Session& session, const std::string& name,
+                          frontend::MapSession::Use use) {
+  CheckResultFlag("resolution_m", session.info.flags, name);
+  Load(session, name);
+  if (counts().updates == 0) throw std::runtime_error(name + ": expected a map, found no scan");
+  gmapping_.BeginSession(use);
+}
+
+void SlamRun::Resume(const session::Session& session, const std::string& name) {
+  CheckResultFlags(session.info.flags, name);
+  Load(session, name);
   stopwatch_.Add(session.info.processing_s);
   session_name_ = name;
   resumed_scans_ = counts().scans;
@@ -79,7 +93,7 @@ session::Session SlamRun::MakeSession(const std::string& log) const {
 
 void SlamRun::AddScan(const sensor::LaserScan& scan) {
   if (CatchesUp()) {
-    if (!gmapping_.scans().Holds(static_cast<int>(given_scans_), scan)) {
+    if (!gmapping_.HasTaken(given_scans_, scan)) {
       throw std::runtime_error(session_name_ +
                                ": expected the log of its run, found another scan " +
                                std::to_string(given_scans_ + 1));
@@ -99,6 +113,17 @@ bool SlamRun::Finish(const std::function<Json()>& input, const sensor::LogCounts
       [&] { return WriteResults(input, log_counts, files); });
 }
 
+// Where in the map the robot is not known to have been, no pose is told.
+backend::Trajectory SlamRun::OfThisLog(const frontend::SlamResult& result) const {
+  const std::optional<frontend::MapSession>& session = gmapping_.session();
+  if (!session) return result.trajectory;
+  backend::Trajectory poses;
+  for (std::size_t row = session->scans(); row < result.trajectory.size(); ++row) {
+    if (result.is_placed[row]) poses.push_back(result.trajectory[row]);
+  }
+  return poses;
+}
+
 bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
                            OutputFiles* files) {
   stopwatch_.Lap("processing_s");
@@ -108,7 +133,7 @@ bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::Log
   // A signal during the final optimization may have cut it short.
   if (gmapping_.graph_thread().counts().late > late) signal = ReceivedSignal();
   stopwatch_.Lap("finish_s");
-  const backend::Trajectory& trajectory = estimate.trajectory;
+  const backend::Trajectory trajectory = OfThisLog(estimate);
   const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, occupied_threshold_);
   if (map.cells.empty()) throw std::runtime_error("no scan saw anything: the map would be empty");
   backend::Trajectory by_time = trajectory;
@@ -122,10 +147,19 @@ bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::Log
   files->Write("loop_closures.csv", [&](std::ostream& out) {
     WriteClosures(gmapping_.loop_closer().records(), estimate.graph.nodes, out);
   });
+  if (gmapping_.session() && gmapping_.session()->is_fixed()) {
+    const std::vector<LocalizedScan> scans = LocalizedScans(gmapping_, estimate, optimizer_.get());
+    files->Write("localization.csv", [&](std::ostream& out) { WriteLocalization(scans, out); });
+  }
   WriteMapPicture(map, by_time, files->TemporaryPath("map.png"), gmapping_.health().stretches());
   stopwatch_.Lap("writing_s");
   const Json health = HealthRecord(gmapping_.health(), log_counts);
   Json record = MakeRunRecord(input(), gmapping_, map, health, stopwatch_);
+  if (gmapping_.session()) {
+    record["session"] = MapSessionRecord(*gmapping_.session(), counts().scans, trajectory.size());
+    LOG_IF(WARNING, trajectory.empty()) << "the robot was not found in the map of the session: no "
+                                           "pose is told";
+  }
   if (resumed_scans_ > 0) record["resources"]["resumed_after_scans"] = resumed_scans_;
   if (signal != 0) record["interrupted"] = {{"signal", signal}, {"scans", counts().scans}};
   files->Write("run.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
