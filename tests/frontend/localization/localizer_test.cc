@@ -86,8 +86,7 @@ TEST(Localizer, OfTwinRoomsItBelievesNeither) {
   }
   Localizer localizer({}, &map);
   for (double x = -11.0; x < 11.0; x += 0.1) {
-    EXPECT_FALSE(
-        localizer.AddScan(scan_at({x, 0, 0}), x > -11.0 ? SE2{0.1, 0, 0} : SE2{}).located)
+    EXPECT_FALSE(localizer.AddScan(scan_at({x, 0, 0}), x > -11.0 ? SE2{0.1, 0, 0} : SE2{}).located)
         << x;
   }
 }
@@ -102,11 +101,11 @@ TEST(Localizer, RestartedItKnowsNothingOfBefore) {
   const auto scans = synthetic::Driven(synthetic::Hall(), 12.0, 13.0);
   std::optional<Located> located;
   for (std::size_t k = 0; k < scans.size() && !located; ++k) {
-    located = localizer
-                  .AddScan(scans[k], k > 0 ? Between(scans[k - 1].odom_T_robot,
-                                                     scans[k].odom_T_robot)
-                                           : SE2{})
-                  .located;
+    located =
+        localizer
+            .AddScan(scans[k],
+                     k > 0 ? Between(scans[k - 1].odom_T_robot, scans[k].odom_T_robot) : SE2{})
+            .located;
   }
   ASSERT_TRUE(located);
   EXPECT_LT((located->map_T_robot.translation() - scans.back().odom_T_robot.translation()).norm(),
@@ -119,8 +118,8 @@ TEST(Localizer, WhatIsSeenAfterwardsMayTakeItBack) {
   Localizer localizer({}, &map);
   const auto scans = synthetic::Driven(synthetic::Hall(), 12.0, 14.0);
   for (std::size_t k = 0; k < scans.size() && localizer.searches(); ++k) {
-    localizer.AddScan(
-        scans[k], k > 0 ? Between(scans[k - 1].odom_T_robot, scans[k].odom_T_robot) : SE2{});
+    localizer.AddScan(scans[k],
+                      k > 0 ? Between(scans[k - 1].odom_T_robot, scans[k].odom_T_robot) : SE2{});
   }
   ASSERT_FALSE(localizer.searches());
   bool taken_back = false;
