@@ -164,7 +164,7 @@ NodeParameters ReadParameters(const Parameters& parameters, const apps::FlagGrou
   NodeParameters read;
   AddRanges(parameters, &read.flags);
   for (const auto& [name, text] : parameters) {
-    const auto is_named = [&name](const auto& known) { return name == known.parameter; };
+    const auto is_named = [&name = name](const auto& known) { return name == known.parameter; };
     if (name == "maxUrange" || name == "maxRange") continue;
     if (AddConverted(name, text, &read.flags)) continue;
     if (const auto member = NodeMembers().find(name); member != NodeMembers().end()) {
@@ -179,7 +179,7 @@ NodeParameters ReadParameters(const Parameters& parameters, const apps::FlagGrou
                             : Number(name, text, -1e9, 1e9) > refused->harmless;
       if (asks) read.refusals.push_back("~" + name + " is not used: " + refused->reason);
     } else if (IsFlag(name, flag_groups)) {
-      read.flags.push_back("--" + name + "=" + text);
+      read.flags.push_back(std::string("--").append(name).append("=").append(text));
     } else {
       read.refusals.push_back("~" + name + " is not used: neither slam_gmapping nor gmapping_spa " +
                               "has a parameter of that name");
