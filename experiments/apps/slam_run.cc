@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/apps/slam_run.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 
-#include "backend/graph/g2o_io.h"
-#include "backend/graph/trajectory_io.h"
 #include "backend/out_of_memory.h"
 #include "experiments/apps/app.h"
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/closure_table.h"
 #include "experiments/apps/health_record.h"
-#include "experiments/apps/map_picture.h"
+#include "experiments/apps/result_files.h"
 #include "experiments/apps/slam_flags.h"
 #include "frontend/map/map_building.h"
-#include "frontend/map/map_server_io.h"
 #include "frontend/slam_parts.h"
 
 namespace gmapping_spa::apps {
@@ -51,21 +47,13 @@ bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::Log
   // A signal during the final optimization may have cut it short.
   if (gmapping_.graph_thread().counts().late > late) signal = ReceivedSignal();
   stopwatch_.Lap("finish_s");
-  const backend::Trajectory& trajectory = estimate.trajectory;
   const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, occupied_threshold_);
   if (map.cells.empty()) throw std::runtime_error("no scan saw anything: the map would be empty");
-  backend::Trajectory by_time = trajectory;
-  std::stable_sort(by_time.begin(), by_time.end(),
-                   [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; });
 
-  files->Write("trajectory.tum", [&](std::ostream& out) { backend::WriteTum(trajectory, out); });
-  files->Write("map.pgm", [&](std::ostream& out) { map::WritePgm(map, out); });
-  files->Write("map.yaml", [&](std::ostream& out) { map::WriteMapYaml(map, "map.pgm", out); });
-  files->Write("graph.g2o", [&](std::ostream& out) { backend::WriteG2o(estimate.graph, out); });
+  WriteResultFiles(estimate.trajectory, estimate.graph, map, gmapping_.health().stretches(), files);
   files->Write("loop_closures.csv", [&](std::ostream& out) {
     WriteClosures(gmapping_.loop_closer().records(), estimate.graph.nodes, out);
   });
-  WriteMapPicture(map, by_time, files->TemporaryPath("map.png"), gmapping_.health().stretches());
   stopwatch_.Lap("writing_s");
   const Json health = HealthRecord(gmapping_.health(), log_counts);
   Json record = MakeRunRecord(input(), gmapping_, map, health, stopwatch_);

@@ -24,11 +24,10 @@ class SlamRun {
 
   // After the last scan, or the last one before the process received a signal: then results are
   // those of the scans so far, without the final optimization, and the record says so. Writes
-  // trajectory.tum, map.pgm, map.yaml, map.png, graph.g2o, loop_closures.csv and run.json, and
-  // warns of what was noticed. `input` tells for the record what the scans were made of;
-  // `log_counts` are those of the log's reader, empty where there is none. Returns whether the
-  // results are those of all scans. Throws std::runtime_error with one line where the map would be
-  // empty.
+  // the files of result_files.h, loop_closures.csv and run.json, and warns of what was noticed.
+  // `input` tells for the record what the scans were made of; `log_counts` are those of the log's
+  // reader, empty where there is none. Returns whether the results are those of all scans. Throws
+  // std::runtime_error with one line where the map would be empty.
   bool Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
               OutputFiles* files);
 

@@ -12,6 +12,10 @@ EXAMPLES = {
     "inspect_log": [
         ("What a log holds, before a map is made of it:", "inspect_log --log=robot.clf.gz"),
     ],
+    "convert_log": [
+        ("A CARMEN log as a ROS 1 bag:",
+         "convert_log --log=robot.clf.gz --output=robot.bag"),
+    ],
     "optimize_graph": [
         ("The optimum of a pose graph, with a proof that it is the global one:",
          "optimize_graph --input=graph.g2o --output=optimized.g2o --certify"),

@@ -12,13 +12,23 @@ constexpr backend::EnumName<Verdict> kVerdicts[] = {
     {"inlier_ratio", Verdict::kInlierRatio}, {"seen_through", Verdict::kSeenThrough},
     {"mahalanobis", Verdict::kMahalanobis},  {"rival", Verdict::kRival},
     {"unconfirmed", Verdict::kUnconfirmed},  {"released", Verdict::kReleased},
-    {"accepted", Verdict::kAccepted}};
-constexpr backend::EnumName<Source> kSources[] = {
-    {"near", Source::kNear}, {"place", Source::kPlace}, {"followed", Source::kFollowed}};
+    {"rejected", Verdict::kRejected},        {"accepted", Verdict::kAccepted}};
+constexpr backend::EnumName<Source> kSources[] = {{"near", Source::kNear},
+                                                  {"place", Source::kPlace},
+                                                  {"followed", Source::kFollowed},
+                                                  {"hand", Source::kHand}};
 
 }  // namespace
 
 const char* VerdictName(Verdict verdict) { return NameOf(kVerdicts, verdict); }
+
+std::optional<Verdict> VerdictNamed(std::string_view name) {
+  return backend::ValueOf(kVerdicts, name);
+}
+
+std::optional<Source> SourceNamed(std::string_view name) {
+  return backend::ValueOf(kSources, name);
+}
 
 const char* SourceName(Source source) { return NameOf(kSources, source); }
 
