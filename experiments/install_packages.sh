@@ -12,8 +12,8 @@ packages=(
   # building
   cmake g++ make ninja-build pkg-config
   # libraries
-  libboost-dev libboost-iostreams-dev libbz2-dev libcairo2-dev libceres-dev libeigen3-dev
-  libgflags-dev libgoogle-glog-dev liblz4-dev libmetis-dev libpng-dev librandom123-dev libsqlite3-dev
+  libboost-dev libboost-iostreams-dev libbz2-dev libcairo2-dev libcereal-dev libceres-dev
+  libeigen3-dev libgflags-dev libgoogle-glog-dev liblz4-dev libmetis-dev libpng-dev librandom123-dev libsqlite3-dev
   libssl-dev libstb-dev libsuitesparse-dev libyaml-cpp-dev libzstd-dev nlohmann-json3-dev
   # tests and scripts
   googletest libbenchmark-dev libgmock-dev libgtest-dev python3

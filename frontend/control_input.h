@@ -42,6 +42,13 @@ class ControlInput {
   // where they seem to be measured at once.
   double sweep_s() const { return lidar_odometry_.sweep_s(); }
 
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(check_, lidar_odometry_, odom_T_previous_, stand_still_, has_reported_sweep_,
+            has_contradicted_sweep_, has_reported_calibration_, has_seen_, blind_stamps_s_);
+  }
+
  private:
   ScanMotion AsLogged(const sensor::LaserScan& scan);
   void ReportFault(const sensor::OdometryCheck::Step& wheels, double stamp_s);

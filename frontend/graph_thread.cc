@@ -70,17 +70,22 @@ bool GraphThread::IsReadyWithin(double timeout_s) {
 
 void GraphThread::Start(backend::PoseGraph snapshot) {
   CHECK(!busy());
-  std::packaged_task<Result()> task(
-      [optimize = optimize_, graph = std::move(snapshot)]() mutable -> Result {
-        backend::Summary summary = OptimizeOrSayWhy(*optimize, &graph);
-        return {std::move(graph), std::move(summary)};
-      });
-  std::future<Result> result = task.get_future();
-  thread_ = std::jthread(std::move(task));
-  result_ = std::move(result);
+  snapshot_ = std::move(snapshot);
+  state_before_ = StateOfOptimizer();
+  Launch();
   ++counts_.started;
   scans_since_start_ = 0;
   late_ = false;
+}
+
+void GraphThread::Launch() {
+  std::packaged_task<Result()> task([optimize = optimize_, graph = snapshot_]() mutable -> Result {
+    backend::Summary summary = OptimizeOrSayWhy(*optimize, &graph);
+    return {std::move(graph), std::move(summary)};
+  });
+  std::future<Result> result = task.get_future();
+  thread_ = std::jthread(std::move(task));
+  result_ = std::move(result);
 }
 
 std::optional<backend::PoseGraph> GraphThread::TakeIfDue(double stamp_s) {

@@ -9,6 +9,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -51,6 +52,11 @@ class GraphThread {
     std::int64_t taken = 0;
     std::int64_t failed = 0;
     std::int64_t late = 0;  // not there when they were due
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(started, taken, failed, late);
+    }
   };
 
   // `health` outlives this.
@@ -64,6 +70,11 @@ class GraphThread {
   // From when `is_asked` returns true, all waits together last two seconds at most: for users who
   // want the program to end. It is called a few times a second.
   void StopWaitingWhen(std::function<bool()> is_asked) { is_asked_to_stop_ = std::move(is_asked); }
+
+  // The optimizer that the function calls: what it keeps between calls is then part of sessions.
+  void KeepStateOf(std::shared_ptr<backend::Optimizer> optimizer) {
+    optimizer_ = std::move(optimizer);
+  }
 
   // Whether there is a snapshot whose result has not been taken.
   bool busy() const { return result_.valid(); }
@@ -84,10 +95,29 @@ class GraphThread {
   struct RejectedClosure {
     std::int64_t i = 0, j = 0;  // ids of the nodes
     double weight = 0.0;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(i, j, weight);
+    }
   };
   const std::vector<RejectedClosure>& rejected_closures() const { return rejected_closures_; }
 
   const Counts& counts() const { return counts_; }
+
+  // For sessions (frontend/session). What runs is begun again from its snapshot.
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    bool is_busy = busy();
+    std::optional<std::string> state = is_busy ? state_before_ : StateOfOptimizer();
+    archive(stamp_s_, scans_since_start_, late_, rejected_closures_, counts_, is_busy, state);
+    if (is_busy) archive(snapshot_);
+    if constexpr (Archive::is_loading::value) {
+      if (state && optimizer_) optimizer_->SetState(*state);
+      state_before_ = std::move(state);
+      if (is_busy) Launch();
+    }
+  }
 
  private:
   struct Result {
@@ -98,11 +128,19 @@ class GraphThread {
   std::optional<backend::PoseGraph> WaitFor(double timeout_s);
   std::optional<backend::PoseGraph> Take(double wait_s);
   bool IsReadyWithin(double timeout_s);
+  void Launch();  // with snapshot_
+  std::optional<std::string> StateOfOptimizer() const {
+    return optimizer_ ? optimizer_->State() : std::nullopt;
+  }
 
   Options options_;
   Health* health_;
   double stamp_s_ = 0.0;                              // of the latest scan
   std::shared_ptr<const OptimizeFunction> optimize_;  // shared with what is left to itself
+  std::shared_ptr<backend::Optimizer> optimizer_;
+  // Of what runs.
+  backend::PoseGraph snapshot_;
+  std::optional<std::string> state_before_;  // of the optimizer
   std::future<Result> result_;
   std::jthread thread_;
   int scans_since_start_ = 0;

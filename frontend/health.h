@@ -16,6 +16,12 @@ struct Finding {
   double first_stamp_s = 0.0;  // of the first and the last reported; nan where no time is known
   double last_stamp_s = 0.0;
   std::int64_t count = 0;
+
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(message, first_stamp_s, last_stamp_s, count);
+  }
 };
 
 // A stretch of time, both ends included.
@@ -23,6 +29,12 @@ struct Stretch {
   double begin_s = 0.0;
   double end_s = 0.0;
   std::int64_t scans = 1;  // that were marked
+
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(begin_s, end_s, scans);
+  }
 };
 
 // Collects findings by their kind, a short name such as "odometry_restart" that stands in the run
@@ -48,6 +60,12 @@ class Health {
   // For the end of a run: a warning of one line for each kind with more than one finding, and for
   // each kind of stretch.
   void LogSummary() const;
+
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(findings_, stretches_);
+  }
 
  private:
   std::map<std::string, Finding> findings_;

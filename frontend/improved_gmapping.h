@@ -66,6 +66,11 @@ class ImprovedGmapping {
     std::int64_t corrections = 0;
     std::int64_t pieces = 1;    // of the map: one more each time the robot was lost
     std::int64_t searched = 0;  // scans for which a window was searched
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(scans, updates, resamplings, failed_matches, corrections, pieces, searched);
+    }
   };
 
   // `optimize` is the back end; it is called in a thread of its own.
@@ -76,6 +81,11 @@ class ImprovedGmapping {
   // See GraphThread::StopWaitingWhen.
   void StopWaitingWhen(std::function<bool()> is_asked) {
     graph_thread_.StopWaitingWhen(std::move(is_asked));
+  }
+
+  // See GraphThread::KeepStateOf.
+  void KeepStateOf(std::shared_ptr<backend::Optimizer> optimizer) {
+    graph_thread_.KeepStateOf(std::move(optimizer));
   }
 
   // `measured`: not deskewed. Throws std::runtime_error when the odometry leads out of the area
@@ -105,6 +115,18 @@ class ImprovedGmapping {
   const Health& health() const { return health_; }
   // Time from the first beam of a scan to the last one, s, by which scans are deskewed.
   double sweep_s() const { return control_.sweep_s(); }
+  // All scans so far.
+  const sensor::ScanArchive& scans() const { return archive_; }
+
+  // For sessions (frontend/session): all but what the options say.
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(filter_, health_, control_, loop_closer_, area_, archive_, node_scans_, scan_poses_,
+            is_lost_, odom_T_scan_, odom_T_last_update_, increments_since_update_,
+            noise_since_update_, linear_since_update_m_, angular_since_update_rad_,
+            updates_since_optimization_, closure_waits_, world_T_nodes_before_, closures_before_,
+            is_drawn_, counts_, graph_thread_);
+  }
 
  private:
   void Process(const sensor::LaserScan& measured, ScanResult* result);

@@ -91,6 +91,19 @@ class LidarOdometry {
   // By which the wheels' turns are corrected.
   const WheelCalibration& wheel_calibration() const { return wheel_trust_.calibration(); }
 
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(map_, odom_T_robot_, odom_T_inserted_, stamp_s_, usual_motion_, usual_duration_s_,
+            usual_fit_, usual_unknown_, wheel_trust_, sweep_, scans_, doubtful_scans_,
+            new_piece_begin_s_, new_piece_scans_, seen_through_, contradicted_);
+    bool is_lost = new_piece_ != nullptr;
+    archive(is_lost);
+    if (!is_lost) return;
+    if (!new_piece_) new_piece_ = std::make_unique<LidarOdometry>(options_);
+    archive(*new_piece_);
+  }
+
  private:
   // A pose of the robot and how well the scan fits there.
   struct Match {

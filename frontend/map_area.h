@@ -19,6 +19,12 @@ class MapArea {
   // odometry must not ask for more than memory holds.
   void Extend(const sensor::LaserScan& scan, const backend::SE2& world_T_robot);
 
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(area_.min(), area_.max());
+  }
+
  private:
   double resolution_m_;
   Eigen::AlignedBox2d area_{Eigen::Vector2d::Zero()};  // from the origin, the first pose

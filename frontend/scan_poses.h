@@ -38,6 +38,12 @@ class ScanPoses {
   // Poses of all scans in the order of the input, given those at the updates.
   backend::Trajectory Fill(const std::vector<backend::SE2>& world_T_updates) const;
 
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(entries_);
+  }
+
  private:
   struct Entry {
     std::int64_t index = 0;
@@ -46,6 +52,11 @@ class ScanPoses {
     double motion = 0.0;
     bool is_update = false;
     bool begins_piece = false;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(index, stamp_s, odom_T_robot, motion, is_update, begins_piece);
+    }
   };
   std::vector<Entry> entries_;
 };

@@ -64,22 +64,27 @@ void SlidingMap::Insert(const sensor::LaserScan& scan, const SE2& odom_T_robot) 
     map::InsertScan(scan, odom_T_robot, {.clear_margin_m = kClearMargin_m}, &local.grid);
     local.scans += ScanDensity(scan);
   }
+  searched_.reset();
   search_.reset();
 }
 
 void SlidingMap::Clear() {
   maps_.clear();
+  searched_.reset();
   search_.reset();
 }
 
 const scan_matching::CorrelativeMatcher& SlidingMap::Search(
     const scan_matching::CorrelativeMatcher::Options& options, const SE2& odom_T_robot,
     double reach_m) {
-  const double off_m = Between(search_center_, odom_T_robot).translation().norm();
-  if (!search_ || off_m > kRenewAt * reach_m) {
-    search_center_ = odom_T_robot;
+  if (!searched_ ||
+      Between(searched_->center, odom_T_robot).translation().norm() > kRenewAt * reach_m) {
+    searched_ = {odom_T_robot, reach_m};
+    search_.reset();
+  }
+  if (!search_) {
     search_ = std::make_unique<scan_matching::CorrelativeMatcher>(
-        options, Surfaces(grid(), odom_T_robot, (1.0 + kRenewAt) * reach_m));
+        options, Surfaces(grid(), searched_->center, (1.0 + kRenewAt) * searched_->reach_m));
   }
   return *search_;
 }

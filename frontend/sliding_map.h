@@ -3,7 +3,9 @@
 #ifndef GMAPPING_SPA_FRONTEND_SLIDING_MAP_H_
 #define GMAPPING_SPA_FRONTEND_SLIDING_MAP_H_
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "backend/se2.h"
@@ -32,17 +34,42 @@ class SlidingMap {
       const scan_matching::CorrelativeMatcher::Options& options, const backend::SE2& odom_T_robot,
       double reach_m);
 
+  // For sessions (frontend/session). What is searched is made again.
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    std::size_t count = maps_.size();
+    archive(count);
+    archive.Resize(count, LocalMap{map::OccupancyGrid(grid_options_)}, &maps_);
+    for (LocalMap& local : maps_) archive(local);
+    archive(searched_);
+  }
+
  private:
   struct LocalMap {
     map::OccupancyGrid grid;
     double scans = 0.0;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(grid, scans);
+    }
+  };
+  // The part of the map in use that a search knows.
+  struct Surroundings {
+    backend::SE2 center;
+    double reach_m = 0.0;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(center, reach_m);
+    }
   };
 
   map::OccupancyGrid::Options grid_options_;
   int scans_;
-  std::vector<LocalMap> maps_;  // the one in use and the one to replace it
+  std::vector<LocalMap> maps_;            // the one in use and the one to replace it
+  std::optional<Surroundings> searched_;  // since the last change
   std::unique_ptr<scan_matching::CorrelativeMatcher> search_;
-  backend::SE2 search_center_;
 };
 
 }  // namespace gmapping_spa::frontend

@@ -17,6 +17,12 @@ class StandStill {
   // something see it half a metre nearer or farther by now. People who walk by change fewer.
   bool IsContradicted(const sensor::LaserScan& scan, bool unchanged);
 
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(first_beams_);
+  }
+
  private:
   std::vector<sensor::Beam> first_beams_;  // of the scan at which the odometry last moved
 };

@@ -46,12 +46,30 @@ class SweepDuration {
   void Learn(const sensor::LaserScan& scan, const backend::SE2& odom_T_robot,
              const Eigen::Vector3d& velocity);
 
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(latest_, chances_, measurements_, is_known_, is_proven_, told_s_, value_s_);
+    for (Reference* reference : {&slow_, &straight_}) {
+      bool has_map = reference->grid.has_value();  // by what value_s_ was when it was made
+      archive(reference->at, has_map);
+      if (!has_map) continue;
+      if (!reference->grid) reference->grid.emplace(grid_options_);
+      archive(*reference->grid);
+    }
+  }
+
  private:
   // A scan as it was measured, where it was matched.
   struct MatchedScan {
     sensor::LaserScan scan;
     backend::SE2 odom_T_robot;
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(scan, odom_T_robot, velocity);
+    }
   };
   // What later scans are compared with, and a map of it, made when it is needed.
   struct Reference {
@@ -61,6 +79,11 @@ class SweepDuration {
   struct Measurement {
     double sweep_s;
     double information;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(sweep_s, information);
+    }
   };
 
   static double WeightedMedian(std::deque<Measurement> measurements);

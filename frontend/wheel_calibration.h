@@ -28,6 +28,12 @@ class WheelCalibration {
   // as it is noise.
   void Learn(double variance_rad2);
 
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(missing_, information_, vector_, way_and_turn_, missing_rad_);
+  }
+
  private:
   Eigen::Vector2d missing_ = Eigen::Vector2d::Zero();
   // Of the regression of missing turns on (way, turn), without what is usual.

@@ -39,6 +39,15 @@ class WheelTrust {
     return turned_rad_ > kTurnedToJudge_rad && opposite_rad_ > kOpposite * turned_rad_;
   }
 
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(calibration_, raw_step_, step_, unchanged_, ever_moved_, ever_told_way_, silent_,
+            contradicted_while_unchanged_, owed_, step_error_, late_error_, block_error_m_,
+            block_error_rad_, blocks_, block_wheels_, block_motion_, block_variance_m2_,
+            block_variance_rad2_, block_scans_, wrong_, turned_rad_, opposite_rad_);
+  }
+
  private:
   static constexpr double kPoorError = 3.0;  // below it, they do as they are
   static constexpr double kLateBelow = 0.5;

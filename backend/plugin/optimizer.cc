@@ -20,6 +20,10 @@ std::vector<Eigen::Matrix3d> Optimizer::Covariances(std::span<const Edge> /*edge
   throw std::runtime_error("the back end has no covariances of its own");
 }
 
+void Optimizer::SetState(const std::string& /*state*/) {
+  throw std::runtime_error("this is no state of the back end");
+}
+
 std::runtime_error NoCovariances() {
   return std::runtime_error(
       "the covariances do not exist: the information of the edges does not determine all poses");

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -88,6 +89,22 @@ class Optimizer {
   virtual std::vector<Eigen::Matrix3d> Covariances(std::span<const Edge> edges,
                                                    std::span<const Node> nodes,
                                                    std::span<const EdgeNodes> pairs);
+
+  // An ability that an optimizer may have: to go on in another process. State: the bytes of all
+  // that later calls of Optimize depend on, empty where they depend on nothing; nothing where it
+  // has not the ability. SetState makes those bytes the state of an optimizer that has not been
+  // called; throws std::runtime_error with one line when they are no state.
+  virtual std::optional<std::string> State() const { return std::nullopt; }
+  virtual void SetState(const std::string& state);
+};
+
+// A back end that keeps nothing from one call to the next.
+class StatelessOptimizer : public Optimizer {
+ public:
+  std::optional<std::string> State() const override { return std::string(); }
+  void SetState(const std::string& state) override {
+    if (!state.empty()) Optimizer::SetState(state);
+  }
 };
 
 // For optimizers: whether to start from the given poses (kKeep) or from where they like (kAuto).

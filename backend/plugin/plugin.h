@@ -9,6 +9,7 @@
 #include <exception>
 #include <new>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "backend/plugin/abi_conversion.h"
@@ -55,6 +56,32 @@ class PluginAdapter {
         Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(covariances + 9 * k) =
             blocks.at(k);
       }
+      report->set_outcome(report->context, GMAPPING_SPA_CONVERGED, "", 0.0, 0.0);
+    } catch (const std::exception& error) {
+      Fail(error.what(), *report);
+    } catch (...) {
+      Fail("an exception of unknown type", *report);
+    }
+  }
+
+  // For GMAPPING_SPA_BACKEND_STATE.
+  static void SaveState(void* optimizer, void* context,
+                        void (*take)(void* context, const char* bytes, std::size_t size),
+                        const GmappingSpaReport* report) noexcept {
+    try {
+      const std::string state = static_cast<PluginAdapter*>(optimizer)->optimizer_.State().value();
+      take(context, state.data(), state.size());
+      report->set_outcome(report->context, GMAPPING_SPA_CONVERGED, "", 0.0, 0.0);
+    } catch (const std::exception& error) {
+      Fail(error.what(), *report);
+    } catch (...) {
+      Fail("an exception of unknown type", *report);
+    }
+  }
+  static void RestoreState(void* optimizer, const char* bytes, std::size_t size,
+                           const GmappingSpaReport* report) noexcept {
+    try {
+      static_cast<PluginAdapter*>(optimizer)->optimizer_.SetState({bytes, size});
       report->set_outcome(report->context, GMAPPING_SPA_CONVERGED, "", 0.0, 0.0);
     } catch (const std::exception& error) {
       Fail(error.what(), *report);
@@ -131,6 +158,17 @@ class PluginAdapter {
     gmapping_spa::backend::PluginAdapter<OptimizerType>::Covariances(                      \
         optimizer, graph, pairs, pair_count, covariances, report);                         \
   }                                                                                        \
+  static_assert(true, "a semicolon follows")
+
+// Likewise for an OptimizerType that overrides State and SetState.
+#define GMAPPING_SPA_BACKEND_STATE(OptimizerType)                                    \
+  extern "C" __attribute__((visibility("default"))) const GmappingSpaStateFunctions* \
+  gmapping_spa_backend_state() {                                                     \
+    using Adapter = gmapping_spa::backend::PluginAdapter<OptimizerType>;             \
+    static const GmappingSpaStateFunctions functions = {&Adapter::SaveState,         \
+                                                        &Adapter::RestoreState};     \
+    return &functions;                                                               \
+  }                                                                                  \
   static_assert(true, "a semicolon follows")
 
 #endif  // GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_H_

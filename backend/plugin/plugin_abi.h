@@ -162,6 +162,21 @@ typedef void (*GmappingSpaCovariancesFunction)(void* optimizer,
                                                const struct GmappingSpaNodePair* pairs,
                                                size_t pair_count, double* covariances,
                                                const struct GmappingSpaReport* report);
+
+/* The ability to go on in another process: a function without arguments that returns a
+ * `const struct GmappingSpaStateFunctions*`. */
+#define GMAPPING_SPA_STATE_ENTRY_POINT "gmapping_spa_backend_state"
+
+/* The contract is that of backend::Optimizer::State and SetState, optimizer.h. Both report
+ * GMAPPING_SPA_CONVERGED, or GMAPPING_SPA_FAILURE with a message; costs are not looked at. */
+struct GmappingSpaStateFunctions {
+  /* Calls `take` once, with the state and `context` as it is. */
+  void (*save)(void* optimizer, void* context,
+               void (*take)(void* context, const char* bytes, size_t size),
+               const struct GmappingSpaReport* report);
+  void (*restore)(void* optimizer, const char* bytes, size_t size,
+                  const struct GmappingSpaReport* report);
+};
 /* NOLINTEND(modernize-*) */
 
 #endif /* GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_ABI_H_ */

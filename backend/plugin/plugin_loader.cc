@@ -26,7 +26,9 @@ constexpr char kSuffix[] = ".so";
 
 struct Plugin {
   const GmappingSpaPlugin& table;
-  GmappingSpaCovariancesFunction covariances;  // null where it has not the ability
+  // Null where it has not the ability.
+  GmappingSpaCovariancesFunction covariances;
+  const GmappingSpaStateFunctions* state;
 };
 
 // Opens the plugin and checks that the rest of its table is what this code takes it for.
@@ -62,8 +64,13 @@ Plugin OpenPlugin(const std::string& path) {
       (table->settings == nullptr && table->setting_count > 0)) {
     fail("its table is incomplete");
   }
-  return {*table, reinterpret_cast<GmappingSpaCovariancesFunction>(
-                      dlsym(library, GMAPPING_SPA_COVARIANCES_ENTRY_POINT))};
+  using StateEntryPoint = const GmappingSpaStateFunctions* (*)();
+  const auto state =
+      reinterpret_cast<StateEntryPoint>(dlsym(library, GMAPPING_SPA_STATE_ENTRY_POINT));
+  return {*table,
+          reinterpret_cast<GmappingSpaCovariancesFunction>(
+              dlsym(library, GMAPPING_SPA_COVARIANCES_ENTRY_POINT)),
+          state == nullptr ? nullptr : state()};
 }
 
 // The folders for plugins along the library search path of the program or library that this code is
@@ -128,7 +135,7 @@ std::unique_ptr<Optimizer> LoadOptimizer(const std::string& name,
                                          const std::vector<std::string>& folders) {
   const std::string path = FindPlugin(name, folders);
   const Plugin plugin = OpenPlugin(path);
-  return std::make_unique<PluginOptimizer>(path, plugin.table, plugin.covariances);
+  return std::make_unique<PluginOptimizer>(path, plugin.table, plugin.covariances, plugin.state);
 }
 
 std::unique_ptr<Optimizer> LoadOptimizer(const std::string& name) {

@@ -40,6 +40,11 @@ GmappingSpaReport ReportInto(Summary* summary) {
   return report;
 }
 
+// After a call of an ability.
+void ThrowUnlessDone(const Summary& summary) {
+  if (summary.termination != Termination::kConverged) throw std::runtime_error(summary.message);
+}
+
 }  // namespace
 
 std::span<const SettingDescription> SettingsOf(const GmappingSpaPlugin& plugin) {
@@ -56,8 +61,9 @@ std::string LossesOf(const GmappingSpaPlugin& plugin) {
 }
 
 PluginOptimizer::PluginOptimizer(const std::string& path, const GmappingSpaPlugin& plugin,
-                                 GmappingSpaCovariancesFunction covariances)
-    : plugin_(plugin), covariances_(covariances) {
+                                 GmappingSpaCovariancesFunction covariances,
+                                 const GmappingSpaStateFunctions* state)
+    : plugin_(plugin), covariances_(covariances), state_(state) {
   Summary summary;
   const GmappingSpaReport report = ReportInto(&summary);
   try {
@@ -121,8 +127,29 @@ std::vector<Eigen::Matrix3d> PluginOptimizer::Covariances(std::span<const Edge> 
   const GmappingSpaReport report = ReportInto(&summary);
   covariances_(optimizer_, &graph, reinterpret_cast<const GmappingSpaNodePair*>(pairs.data()),
                pairs.size(), reinterpret_cast<double*>(blocks.data()), &report);
-  if (summary.termination != Termination::kConverged) throw std::runtime_error(summary.message);
+  ThrowUnlessDone(summary);
   return {blocks.begin(), blocks.end()};
+}
+
+std::optional<std::string> PluginOptimizer::State() const {
+  if (state_ == nullptr) return std::nullopt;
+  std::string bytes;
+  Summary summary;
+  const GmappingSpaReport report = ReportInto(&summary);
+  const auto take = [](void* context, const char* data, std::size_t size) {
+    static_cast<std::string*>(context)->assign(data, size);
+  };
+  state_->save(optimizer_, &bytes, take, &report);
+  ThrowUnlessDone(summary);
+  return bytes;
+}
+
+void PluginOptimizer::SetState(const std::string& state) {
+  if (state_ == nullptr) return Optimizer::SetState(state);
+  Summary summary;
+  const GmappingSpaReport report = ReportInto(&summary);
+  state_->restore(optimizer_, state.data(), state.size(), &report);
+  ThrowUnlessDone(summary);
 }
 
 }  // namespace gmapping_spa::backend

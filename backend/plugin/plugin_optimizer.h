@@ -3,6 +3,7 @@
 #ifndef GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_OPTIMIZER_H_
 #define GMAPPING_SPA_BACKEND_PLUGIN_PLUGIN_OPTIMIZER_H_
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,11 +23,12 @@ std::string LossesOf(const GmappingSpaPlugin& plugin);
 // caller's (OptimizeSafely). Plugins made with plugin.h throw none.
 class PluginOptimizer : public Optimizer {
  public:
-  // `plugin` must outlive the object; `path` is for messages; `covariances` is null for a plugin
-  // that has not the ability. Throws std::runtime_error with one line when the plugin makes no
-  // optimizer.
+  // `plugin` must outlive the object; `path` is for messages; `covariances` and `state` are null
+  // for a plugin that has not the ability. Throws std::runtime_error with one line when the plugin
+  // makes no optimizer.
   PluginOptimizer(const std::string& path, const GmappingSpaPlugin& plugin,
-                  GmappingSpaCovariancesFunction covariances);
+                  GmappingSpaCovariancesFunction covariances,
+                  const GmappingSpaStateFunctions* state);
   ~PluginOptimizer() override;
   PluginOptimizer(const PluginOptimizer&) = delete;
   PluginOptimizer& operator=(const PluginOptimizer&) = delete;
@@ -37,10 +39,13 @@ class PluginOptimizer : public Optimizer {
   bool HasCovariances() const override { return covariances_ != nullptr; }
   std::vector<Eigen::Matrix3d> Covariances(std::span<const Edge> edges, std::span<const Node> nodes,
                                            std::span<const EdgeNodes> pairs) override;
+  std::optional<std::string> State() const override;
+  void SetState(const std::string& state) override;
 
  private:
   const GmappingSpaPlugin& plugin_;
   GmappingSpaCovariancesFunction covariances_;
+  const GmappingSpaStateFunctions* state_;
   void* optimizer_ = nullptr;
 };
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
+#include "backend/plugin/packet.h"
 #include "backend/sparse/graph_covariance.h"
 
 namespace gmapping_spa::spa {
@@ -146,6 +148,29 @@ std::vector<Eigen::Matrix3d> SpaOptimizer::Covariances(std::span<const backend::
       CovariancesOf(graph, pairs, structure_, &memory_.equations, &memory_.cholesky.by_rows());
   if (!covariances) throw backend::NoCovariances();
   return *std::move(covariances);
+}
+
+std::optional<std::string> SpaOptimizer::State() const {
+  backend::PacketWriter state;
+  structure_.Save(&state);
+  state.Put(minimizer_.damping().has_value());
+  state.Put(minimizer_.damping().value_or(0.0));
+  state.Put(last_cost_);
+  return std::string(state.bytes().begin(), state.bytes().end());
+}
+
+void SpaOptimizer::SetState(const std::string& state) {
+  backend::PacketReader reader(state);
+  try {
+    structure_.Load(&reader);
+    const bool has_damping = reader.Take<std::uint8_t>() != 0;
+    const auto damping = reader.Take<double>();
+    minimizer_.set_damping(has_damping ? std::optional(damping) : std::nullopt);
+    last_cost_ = reader.Take<double>();
+    reader.CheckEnd();
+  } catch (const backend::MalformedPacket&) {
+    Optimizer::SetState(state);  // refuses it
+  }
 }
 
 }  // namespace gmapping_spa::spa

@@ -4,6 +4,8 @@
 #define GMAPPING_SPA_BACKEND_SPA_SPA_OPTIMIZER_H_
 
 #include <limits>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "backend/plugin/optimizer.h"
@@ -46,6 +48,10 @@ class SpaOptimizer : public backend::Optimizer {
   std::vector<Eigen::Matrix3d> Covariances(std::span<const backend::Edge> edges,
                                            std::span<const backend::Node> nodes,
                                            std::span<const backend::EdgeNodes> pairs) override;
+  // The ordering of the last graph, its cost and the damping there: what the next call goes on
+  // from.
+  std::optional<std::string> State() const override;
+  void SetState(const std::string& state) override;
 
  private:
   // The cheaper one of the given poses, which cost given_cost, and the chordal relaxation; the

@@ -50,16 +50,9 @@ class FreeNodes {
   }
 
   // The structure with these numbers as columns.
-  BlockStructure InOrder(const GraphIndex& index, const std::vector<int>& order) const {
-    BlockStructure structure;
-    structure.column_of_node.assign(number_of_node_.size(), -1);
-    structure.begin = {0};
-    for (const int number : order) {
-      structure.column_of_node[nodes_[number]] = structure.columns();
-      structure.node_of_column.push_back(nodes_[number]);
-    }
-    AppendBlocks(index, 0, &structure);
-    return structure;
+  BlockStructure InOrder(const GraphIndex& index, std::vector<int> order) const {
+    for (int& number : order) number = nodes_[number];
+    return spa::InOrder(index, order);
   }
 
  private:
@@ -68,6 +61,18 @@ class FreeNodes {
 };
 
 }  // namespace
+
+BlockStructure InOrder(const GraphIndex& index, const std::vector<int>& node_of_column) {
+  BlockStructure structure;
+  structure.node_of_column = node_of_column;
+  structure.column_of_node.assign(index.fixed.size(), -1);
+  for (int column = 0; column < structure.columns(); ++column) {
+    structure.column_of_node[node_of_column[column]] = column;
+  }
+  structure.begin = {0};
+  AppendBlocks(index, 0, &structure);
+  return structure;
+}
 
 BlockStructure OrderByMinimumDegree(const GraphIndex& index) {
   const FreeNodes free(index);

@@ -33,6 +33,9 @@ struct BlockStructure {
 BlockStructure OrderByMinimumDegree(const backend::GraphIndex& index);
 BlockStructure OrderByNestedDissection(const backend::GraphIndex& index);
 
+// The structure with the free nodes, each of which is there once, as columns.
+BlockStructure InOrder(const backend::GraphIndex& index, const std::vector<int>& node_of_column);
+
 // Appends to the order of `structure`, made for the first nodes and edges of the same graph, the
 // free ones of the nodes that came since, and the blocks of the edges that came since. Returns
 // false, with `structure` undefined, when one of those edges connects two earlier nodes.

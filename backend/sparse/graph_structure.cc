@@ -2,7 +2,9 @@
 #include "backend/sparse/graph_structure.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace gmapping_spa::spa {
 namespace {
@@ -69,6 +71,53 @@ void GraphStructure::Analyze() {
     symbolic_ = SymbolicFactor();
     fronts_ = FindFronts(blocks_, tree_);
   }
+}
+
+void GraphStructure::Save(backend::PacketWriter* packet) const {
+  packet->Put(index_.edges.size());
+  packet->PutAll(std::span(index_.edges));
+  packet->Put(index_.fixed.size());
+  for (const bool fixed : index_.fixed) packet->Put(fixed);
+  packet->PutAll(std::span(blocks_.node_of_column));  // as many as are not fixed
+  packet->Put(ordered_products_);
+  packet->Put(ordered_columns_);
+  packet->Put(excess_products_);
+}
+
+void GraphStructure::Load(backend::PacketReader* packet) {
+  const auto take_size = [packet](std::size_t bytes) {
+    const auto size = packet->Take<std::size_t>();
+    packet->CheckRoom(size, bytes);
+    return size;
+  };
+  *this = GraphStructure();
+  index_.edges.resize(take_size(sizeof(backend::EdgeNodes)));
+  packet->TakeAll(std::span(index_.edges));
+  index_.fixed.resize(take_size(1));
+  std::vector<int> free;
+  for (std::size_t node = 0; node < index_.fixed.size(); ++node) {
+    index_.fixed[node] = packet->Take<std::uint8_t>() != 0;
+    if (!index_.fixed[node]) free.push_back(static_cast<int>(node));
+  }
+  std::vector<int> order(free.size());
+  packet->TakeAll(std::span(order));
+  ordered_products_ = packet->Take<std::int64_t>();
+  ordered_columns_ = packet->Take<int>();
+  excess_products_ = packet->Take<std::int64_t>();
+  const auto is_node = [this](int node) {
+    return node >= 0 && node < static_cast<int>(index_.fixed.size());
+  };
+  std::vector<int> sorted = order;
+  std::ranges::sort(sorted);
+  if (sorted != free || !std::ranges::all_of(index_.edges, [&](const backend::EdgeNodes& edge) {
+        return is_node(edge.i) && is_node(edge.j);
+      })) {
+    throw backend::MalformedPacket("an ordering of another graph");
+  }
+  if (index_.fixed.empty()) return;  // there was no graph yet
+  blocks_ = InOrder(index_, order);
+  ExtendTree(blocks_, &tree_);
+  Analyze();
 }
 
 }  // namespace gmapping_spa::spa

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "backend/graph/graph_index.h"
+#include "backend/plugin/packet.h"
 #include "backend/sparse/block_structure.h"
 #include "backend/sparse/elimination_tree.h"
 #include "backend/sparse/fronts.h"
@@ -29,6 +30,11 @@ class GraphStructure {
   const Fronts& fronts() const { return fronts_; }
   // Whether the last Update changed the structure.
   bool changed() const { return changed_; }
+
+  // All that later calls of Update depend on: the index and the ordering, of which the rest is made
+  // again. Load throws backend::MalformedPacket when the packet is none of Save.
+  void Save(backend::PacketWriter* packet) const;
+  void Load(backend::PacketReader* packet);
 
  private:
   bool Append();

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -14,6 +15,8 @@
 #include "experiments/apps/log_flags.h"
 #include "experiments/apps/output_files.h"
 #include "experiments/apps/progress_bar.h"
+#include "experiments/apps/session_flags.h"
+#include "experiments/apps/session_saver.h"
 #include "experiments/apps/slam_flags.h"
 #include "experiments/apps/slam_run.h"
 
@@ -25,12 +28,17 @@ DEFINE_string(output_dir, "",
 namespace gmapping_spa::apps {
 namespace {
 
-sensor::LogCounts ProcessLog(const sensor::LogOptions& options, SlamRun* slam) {
+// `saver`: null where no session is written.
+sensor::LogCounts ProcessLog(const sensor::LogOptions& options, SlamRun* slam,
+                             SessionSaver* saver) {
   const LogFile log = OpenLogFile(FLAGS_log, options);
   ProgressBar progress("slam", ProgressTotal(log, FLAGS_log));
   while (const std::optional<sensor::LaserScan> scan = log.reader->Next()) {
     if (ReceivedSignal() != 0) break;
     slam->AddScan(*scan);
+    if (saver != nullptr && saver->IsDue() && !slam->CatchesUp()) {
+      saver->WriteCheckpoint(slam->MakeSession(FLAGS_log));
+    }
     progress.Update(log.reader->counts().at(log.progress_count));
   }
   return log.reader->counts();
@@ -62,10 +70,14 @@ void Run() {
   }
   const sensor::LogOptions log_options = LogOptionsFromFlags();
   SlamRun slam;
+  ResumeAsFlagsSay(&slam);
+  const std::unique_ptr<SessionSaver> saver = MakeSessionSaver(&slam);
   OutputFiles files(FLAGS_output_dir);
-  const sensor::LogCounts log_counts = ProcessLog(log_options, &slam);
-  if (slam.counts().updates == 0) ThrowIfInterrupted();  // nothing to write yet
+  const sensor::LogCounts log_counts = ProcessLog(log_options, &slam, saver.get());
+  if (slam.counts().updates == 0 || slam.CatchesUp()) ThrowIfInterrupted();  // nothing new
+  slam.CheckThatSessionEnded();
   CheckThatBeamsHit(log_counts, log_options);
+  if (saver != nullptr) saver->WriteLast(slam.MakeSession(FLAGS_log));
   const bool complete = slam.Finish([&] { return LogToJson(log_counts); }, log_counts, &files);
   files.Commit();
   const frontend::ImprovedGmapping::Counts& counts = slam.counts();
@@ -81,7 +93,7 @@ void Run() {
 
 FlagGroups AllFlagGroups() {
   const FlagGroups output = {{"output", "Input and output", {"log", "output_dir"}}};
-  return Join({output, LogFlagGroups(), SlamFlagGroups()});
+  return Join({output, SessionFlagGroups(), LogFlagGroups(), SlamFlagGroups()});
 }
 
 }  // namespace

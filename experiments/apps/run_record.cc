@@ -5,12 +5,12 @@
 #include <sys/resource.h>
 
 #include <Eigen/Core>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "experiments/apps/app.h"
 #include "experiments/apps/closure_table.h"
+#include "experiments/apps/result_flags.h"
 #include "experiments/apps/version.h"
 
 namespace gmapping_spa::apps {
@@ -23,16 +23,10 @@ Json FlagValue(const gflags::CommandLineFlagInfo& flag) {
   return number.is_number() ? number : Json(flag.current_value);  // nan and inf
 }
 
-Json ResultFlags() {
-  // Of files it is the content that counts, which stands under "input".
-  static const std::set<std::string> kNoInfluence = {"log",       "world",      "path",
-                                                     "obstacles", "output_dir", "threads"};
+Json FlagValues() {
   Json json;
-  for (const FlagGroup& group : FlagsByGroup()) {
-    for (const std::string& name : group.flags) {
-      if (kNoInfluence.contains(name)) continue;
-      json[name] = FlagValue(gflags::GetCommandLineFlagInfoOrDie(name.c_str()));
-    }
+  for (const std::string& name : ResultFlags()) {
+    json[name] = FlagValue(gflags::GetCommandLineFlagInfoOrDie(name.c_str()));
   }
   return json;
 }
@@ -59,7 +53,7 @@ Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping
         {"compiler", __VERSION__},
         {"eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) +
                       "." + std::to_string(EIGEN_MINOR_VERSION)}}},
-      {"flags", ResultFlags()},
+      {"flags", FlagValues()},
       {"flag_files", FlagFiles()},
       {"flag_overrides", FlagOverrides()},
       {"input", input},

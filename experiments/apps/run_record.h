@@ -21,6 +21,12 @@ class Stopwatch {
     start_ = now;
   }
   const Json& laps() const { return laps_; }
+  // Of the stage so far.
+  double elapsed_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  // Counts time that another process spent on the stage.
+  void Add(double elapsed_s) {
+    start_ -= std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(elapsed_s));
+  }
 
  private:
   using Clock = std::chrono::steady_clock;

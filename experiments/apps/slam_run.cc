@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/apps/slam_run.h"
 
+#include <glog/logging.h>
+
+#include <exception>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -10,8 +14,11 @@
 #include "experiments/apps/closure_table.h"
 #include "experiments/apps/health_record.h"
 #include "experiments/apps/result_files.h"
+#include "experiments/apps/result_flags.h"
 #include "experiments/apps/slam_flags.h"
+#include "experiments/apps/version.h"
 #include "frontend/map/map_building.h"
+#include "frontend/session/state.h"
 #include "frontend/slam_parts.h"
 
 namespace gmapping_spa::apps {
@@ -20,12 +27,62 @@ SlamRun::SlamRun() : SlamRun(SlamOptionsFromFlags()) {}
 
 SlamRun::SlamRun(const SlamOptions& options)
     : occupied_threshold_(options.occupied_threshold),
+      is_async_(options.graph_thread == SlamOptions::GraphThread::kAsync),
+      optimizer_(LoadOptimizerFromFlags()),
       gmapping_(frontend::GmappingOptions(options), frontend::MakeScanMatcher(options),
-                frontend::BindOptimizer(options, LoadOptimizerFromFlags())) {
+                frontend::BindOptimizer(options, optimizer_)) {
   gmapping_.StopWaitingWhen([] { return ReceivedSignal() != 0; });
 }
 
+void SlamRun::Resume(const session::Session& session, const std::string& name) {
+  CheckResultFlags(session.info.flags, name);
+  gmapping_.KeepStateOf(optimizer_);
+  try {
+    session::LoadState(session.state, &gmapping_);
+  } catch (const std::exception& error) {
+    throw std::runtime_error(name + ": expected the state of a run with these flags, found one " +
+                             "that does not fit: " + error.what());
+  }
+  stopwatch_.Add(session.info.processing_s);
+  session_name_ = name;
+  resumed_scans_ = counts().scans;
+}
+
+void SlamRun::CheckThatSessionEnded() const {
+  if (!CatchesUp()) return;
+  throw std::runtime_error(session_name_ + ": expected a log with the " +
+                           std::to_string(resumed_scans_) + " scans of its run, found " +
+                           std::to_string(given_scans_));
+}
+
+void SlamRun::PrepareToSave() {
+  gmapping_.KeepStateOf(optimizer_);
+  LOG_IF(WARNING, is_async_) << "with --graph_thread=async a resumed run may end with other bytes: "
+                                "it depends on the speed of the machine";
+  LOG_IF(WARNING, !is_async_ && !optimizer_->State())
+      << "the back end cannot save what it keeps between calls, or runs in another process: a "
+         "resumed run may end with other bytes";
+}
+
+session::Session SlamRun::MakeSession(const std::string& log) const {
+  return {{.program = ReleaseVersion(),
+           .log = std::filesystem::path(log).filename().string(),
+           .scans = counts().scans,
+           .processing_s = stopwatch_.elapsed_s(),
+           .flags = ResultFlagValues()},
+          session::SaveState(gmapping_)};
+}
+
 void SlamRun::AddScan(const sensor::LaserScan& scan) {
+  if (CatchesUp()) {
+    if (!gmapping_.scans().Holds(static_cast<int>(given_scans_), scan)) {
+      throw std::runtime_error(session_name_ +
+                               ": expected the log of its run, found another scan " +
+                               std::to_string(given_scans_ + 1));
+    }
+    ++given_scans_;
+    return;
+  }
   backend::WithMemory("at scan " + std::to_string(counts().scans + 1) + " with the maps of " +
                           std::to_string(gmapping_.filter().particles().size()) + " particles",
                       [&] { gmapping_.AddScan(scan); });
@@ -57,6 +114,7 @@ bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::Log
   stopwatch_.Lap("writing_s");
   const Json health = HealthRecord(gmapping_.health(), log_counts);
   Json record = MakeRunRecord(input(), gmapping_, map, health, stopwatch_);
+  if (resumed_scans_ > 0) record["resources"]["resumed_after_scans"] = resumed_scans_;
   if (signal != 0) record["interrupted"] = {{"signal", signal}, {"scans", counts().scans}};
   files->Write("run.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
   WarnOf(log_counts);

@@ -3,8 +3,12 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_RUN_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_SLAM_RUN_H_
 
+#include <cstdint>
 #include <functional>
+#include <memory>
+#include <string>
 
+#include "backend/plugin/optimizer.h"
 #include "experiments/apps/json.h"
 #include "experiments/apps/output_files.h"
 #include "experiments/apps/run_record.h"
@@ -12,6 +16,7 @@
 #include "frontend/improved_gmapping.h"
 #include "frontend/sensor/laser_scan.h"
 #include "frontend/sensor/log_reader.h"
+#include "frontend/session/session_file.h"
 
 namespace gmapping_spa::apps {
 
@@ -20,6 +25,24 @@ class SlamRun {
   // Throws std::runtime_error with one line when a flag makes no sense.
   SlamRun();
 
+  // Goes on with a session; `name` is for messages. From now on the scans that it has taken are
+  // compared with those that AddScan is given, and nothing else is done with them. Throws
+  // std::runtime_error with one line when the session has other flags or does not fit. Call it
+  // before AddScan.
+  void Resume(const session::Session& session, const std::string& name);
+  // Whether AddScan has not yet been given all scans that the session has taken.
+  bool CatchesUp() const { return given_scans_ < resumed_scans_; }
+  // To be called after the last scan: throws std::runtime_error with one line when it catches up.
+  void CheckThatSessionEnded() const;
+
+  // Call it before AddScan where sessions will be saved. Warns where those that go on with them may
+  // end with other bytes.
+  void PrepareToSave();
+  // What there is now, of scans out of `log`.
+  session::Session MakeSession(const std::string& log) const;
+
+  // Throws std::runtime_error with one line when the scan is not the one that the session has
+  // taken.
   void AddScan(const sensor::LaserScan& scan);
 
   // After the last scan, or the last one before the process received a signal: then results are
@@ -39,8 +62,13 @@ class SlamRun {
                     OutputFiles* files);
 
   double occupied_threshold_;
+  bool is_async_;
+  std::shared_ptr<backend::Optimizer> optimizer_;
   frontend::ImprovedGmapping gmapping_;
   Stopwatch stopwatch_;
+  std::string session_name_;
+  std::int64_t resumed_scans_ = 0;
+  std::int64_t given_scans_ = 0;
 };
 
 }  // namespace gmapping_spa::apps

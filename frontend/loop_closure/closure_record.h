@@ -63,6 +63,14 @@ struct ClosureRecord {
   Verdict verdict = Verdict::kNoMatch;
   bool is_by_hand = false;  // somebody decided otherwise: the verdict is final
   Verdict overruled_verdict = Verdict::kNoMatch;  // that of the program, where it had one
+
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(old_node, node, path_length_m, distance_m, score, runner_up_score, overlap,
+            inlier_ratio, mutual_inlier_ratio, mahalanobis_sq, old_T_node, information, source,
+            verdict, is_by_hand, overruled_verdict);
+  }
 };
 
 }  // namespace gmapping_spa::loop_closure

@@ -26,6 +26,12 @@ struct ClosureSet {
   int first_node = 0;                // the path has been followed from here
   int last_node = 0;                 // to here
   bool is_accepted = false;
+
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(members, contradictions, first_node, last_node, is_accepted);
+  }
 };
 
 struct ProofOptions {

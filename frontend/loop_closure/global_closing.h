@@ -60,6 +60,12 @@ class GlobalCloser {
   Decisions Finish(const DrivenPath& path, const ScanOfNode& scan_of_node,
                    std::span<const backend::Edge> closures, std::vector<ClosureRecord>* records);
 
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(places_, searched_, last_search_m_, sets_);
+  }
+
  private:
   // What all steps of a call share.
   struct Call {

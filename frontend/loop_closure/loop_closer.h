@@ -84,6 +84,12 @@ class LoopCloser {
   // Of every candidate that was looked at.
   const std::vector<ClosureRecord>& records() const { return records_; }
 
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(global_, pieces_, accepted_, closures_, records_, last_search_m_);
+  }
+
  private:
   int SearchNear(const std::vector<backend::SE2>& world_T_nodes,
                  const std::vector<double>& ways_driven, const ScanOfNode& scan_of_node, int node);

@@ -46,6 +46,12 @@ class Pieces {
   void Separate(std::span<const backend::Edge> closures,
                 std::vector<backend::SE2>* world_T_nodes) const;
 
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(first_nodes_);
+  }
+
  private:
   void Move(int piece, const backend::SE2& to_T_from,
             std::vector<backend::SE2>* world_T_nodes) const;

@@ -58,12 +58,23 @@ class PlaceSearch {
   std::vector<PlaceMatch> Find(int place, const std::vector<double>& ways_driven_m,
                                const std::function<bool(int node)>& may_match) const;
 
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(places_);
+  }
+
  private:
   struct Place {
     int node;
     std::vector<Eigen::Vector2f> points;  // in the frame of the node
     PlaceDescriptor descriptor;
     bool is_distinct;  // from itself, moved
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(node, points, descriptor, is_distinct);
+    }
   };
 
   bool IsDistinct(const std::vector<Eigen::Vector2d>& points) const;

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include "frontend/map/tile.h"
@@ -81,6 +82,15 @@ class OccupancyGrid {
   // Number of tiles held, and of those that no other grid shares.
   std::size_t CountTiles() const;
   std::size_t CountOwnTiles() const;
+
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(first_tile_x_, first_tile_y_, tile_columns_, tile_rows_, tiles_);
+    if (tiles_.size() != std::size_t{tile_columns_} * tile_rows_) {
+      throw std::runtime_error("a grid without all of its tiles");
+    }
+  }
 
  private:
   static const Cell kEmptyCell;

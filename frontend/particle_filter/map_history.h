@@ -3,6 +3,7 @@
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_MAP_HISTORY_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_MAP_HISTORY_H_
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -40,10 +41,26 @@ class MapHistory {
                                           const std::vector<TrajectoryTree::Index>& leaves,
                                           const ScanOfStep& scan_of_step);
 
+  // For sessions (frontend/session). Poses that moved a little stay as they were entered, so that
+  // the snapshots cannot be made again.
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    std::size_t count = snapshots_.size();
+    archive(count);
+    archive.Resize(count, Snapshot{0, empty_}, &snapshots_);
+    for (Snapshot& snapshot : snapshots_) archive(snapshot);
+    archive(entered_);
+  }
+
  private:
   struct Snapshot {
     int steps = 0;  // that it holds: 0 ... steps - 1
     map::OccupancyGrid map;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(steps, map);
+    }
   };
 
   bool Moved(const backend::SE2& a, const backend::SE2& b) const;

@@ -16,6 +16,12 @@ struct Particle {
   map::OccupancyGrid map;
   TrajectoryTree::Index leaf = TrajectoryTree::kNone;
   TrajectoryTree::Motion motion;  // of the latest step
+
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(world_T_robot, log_weight, log_likelihood, map, leaf, motion);
+  }
 };
 
 }  // namespace gmapping_spa::particle_filter

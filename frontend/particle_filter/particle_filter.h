@@ -3,8 +3,11 @@
 #ifndef GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PARTICLE_FILTER_H_
 #define GMAPPING_SPA_FRONTEND_PARTICLE_FILTER_PARTICLE_FILTER_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "backend/se2.h"
@@ -61,6 +64,11 @@ class ParticleFilter {
     double registration_s = 0.0;
     double resampling_s = 0.0;
     double correction_s = 0.0;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(matching_s, registration_s, resampling_s, correction_s);
+    }
   };
 
   ParticleFilter(const Options& options, std::shared_ptr<const scan_matching::ScanMatcher> matcher);
@@ -100,6 +108,23 @@ class ParticleFilter {
   void ForgetMapHistory() { map_history_.Forget(); }
 
   const Times& times() const { return times_; }
+
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    std::size_t count = particles_.size();
+    archive(count);
+    if (count != 0 && count != static_cast<std::size_t>(options_.particles)) {
+      throw std::runtime_error("expected " + std::to_string(options_.particles) +
+                               " particles, found " + std::to_string(count));
+    }
+    archive.Resize(
+        count,
+        Particle{.world_T_robot = {}, .map = map::OccupancyGrid(options_.grid), .motion = {}},
+        &particles_);
+    for (Particle& particle : particles_) archive(particle);
+    archive(tree_, map_history_, step_, times_);
+  }
 
  private:
   void Move(const scan_matching::ScanPoints& points, const Control& control, int index);

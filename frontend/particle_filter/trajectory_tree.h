@@ -25,6 +25,11 @@ class TrajectoryTree {
     backend::SE2 previous_T_robot;
     Eigen::Matrix3d information = Eigen::Matrix3d::Identity();  // of backend::Edge
     bool matched = false;  // whether the scan matcher succeeded; else by odometry alone
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(previous_T_robot, information, matched);
+    }
   };
 
   struct Vertex {
@@ -32,6 +37,11 @@ class TrajectoryTree {
     Motion motion;  // of a root: without meaning
     Index parent = kNone;
     int step = 0;  // number of ancestors
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(world_T_robot, motion, parent, step);
+    }
   };
 
   // Adds a root; returns its index, as Append does.
@@ -55,6 +65,12 @@ class TrajectoryTree {
   // Parents before children.
   const std::vector<Vertex>& vertices() const { return vertices_; }
   std::size_t size() const { return vertices_.size(); }
+
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(vertices_);
+  }
 
  private:
   std::vector<Vertex> vertices_;

@@ -53,12 +53,24 @@ class OdometryCheck {
 
   Step Check(const LaserScan& scan);
 
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(previous_, first_odom_T_robot_, previous_beams_, usual_period_s_, num_steps_,
+            usual_speed_m_s_, usual_turn_rad_s_);
+  }
+
  private:
   // What a reading, and the time, is compared with.
   struct Reading {
     double stamp_s;
     backend::SE2 odom_T_robot;
     bool has_odometry;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(stamp_s, odom_T_robot, has_odometry);
+    }
   };
 
   Step Judge(const LaserScan& scan, double elapsed_s, bool repeated) const;

@@ -68,4 +68,20 @@ LaserScan ScanArchive::Get(int position) const {
   return Deskew(std::move(scan), sweep_s_ * entry.velocity);
 }
 
+bool ScanArchive::Holds(int position, const LaserScan& scan) const {
+  const Entry& entry = scans_.at(position);
+  const std::vector<double>& angles_rad = *entry.angles_rad;
+  if (entry.index != scan.index || entry.stamp_s != scan.stamp_s ||
+      entry.odom_T_robot != scan.odom_T_robot || entry.robot_T_laser != scan.robot_T_laser ||
+      entry.sweep_s != scan.sweep_s || entry.ranges_m.size() != scan.beams.size()) {
+    return false;
+  }
+  for (std::size_t k = 0; k < scan.beams.size(); ++k) {
+    if (entry.ranges_m[k] != Packed(scan.beams[k]) || angles_rad[k] != scan.beams[k].angle_rad) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace gmapping_spa::sensor

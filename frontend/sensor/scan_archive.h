@@ -29,7 +29,16 @@ class ScanArchive {
   double StampOf(int position) const { return scans_.at(position).stamp_s; }
   std::int64_t IndexOf(int position) const { return scans_.at(position).index; }
 
+  // Whether Add was given this scan for the position.
+  bool Holds(int position, const LaserScan& scan) const;
+
   int size() const { return static_cast<int>(scans_.size()); }
+
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(scans_, latest_velocity_, sweep_s_);
+  }
 
  private:
   struct Entry {
@@ -41,6 +50,11 @@ class ScanArchive {
     std::vector<float> ranges_m;  // negative: no return up to there; 0: invalid
     Eigen::Vector3d velocity;
     double sweep_s;  // as the log tells it
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(index, stamp_s, odom_T_robot, robot_T_laser, angles_rad, ranges_m, velocity, sweep_s);
+    }
   };
   std::vector<Entry> scans_;
   Eigen::Vector3d latest_velocity_ = Eigen::Vector3d::Zero();

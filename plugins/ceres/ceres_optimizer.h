@@ -14,7 +14,7 @@ namespace gmapping_spa::ceres_backend {
 //
 // Options::cost_tolerance is Ceres' function_tolerance. Initialization kAuto is kKeep. Settings
 // have the names and the meaning that they have in ceres::Solver::Options.
-class CeresOptimizer : public backend::Optimizer {
+class CeresOptimizer : public backend::StatelessOptimizer {
  public:
   static constexpr backend::SettingDescription kSettings[] = {
       backend::ChoiceSetting("linear_solver", "sparse_normal_cholesky",

@@ -5,3 +5,4 @@
 GMAPPING_SPA_BACKEND_PLUGIN(gmapping_spa::ceres_backend::CeresOptimizer, "ceres",
                             "Ceres' trust-region solver");
 GMAPPING_SPA_BACKEND_COVARIANCES(gmapping_spa::ceres_backend::CeresOptimizer);
+GMAPPING_SPA_BACKEND_STATE(gmapping_spa::ceres_backend::CeresOptimizer);

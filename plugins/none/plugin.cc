@@ -6,7 +6,7 @@
 namespace gmapping_spa::none {
 namespace {
 
-class NoOptimizer : public backend::Optimizer {
+class NoOptimizer : public backend::StatelessOptimizer {
  public:
   static constexpr backend::LossKind kLosses[] = {
       // it costs poses, and changes none
@@ -28,3 +28,4 @@ class NoOptimizer : public backend::Optimizer {
 
 GMAPPING_SPA_BACKEND_PLUGIN(gmapping_spa::none::NoOptimizer, "none",
                             "leaves all poses as they are");
+GMAPPING_SPA_BACKEND_STATE(gmapping_spa::none::NoOptimizer);

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiments/apps/result_flags.h"
+
+#include <gflags/gflags.h>
+
+#include <set>
+#include <stdexcept>
+
+#include "experiments/apps/app.h"
+
+namespace gmapping_spa::apps {
+
+std::vector<std::string> ResultFlags() {
+  // Of files it is the content that counts.
+  static const std::set<std::string> kNoInfluence = {
+      "log",        "world",   "path",         "obstacles",
+      "output_dir", "threads", "save_session", "checkpoint_every",
+      "resume"};
+  std::vector<std::string> names;
+  for (const FlagGroup& group : FlagsByGroup()) {
+    for (const std::string& name : group.flags) {
+      if (!kNoInfluence.contains(name)) names.push_back(name);
+    }
+  }
+  return names;
+}
+
+std::map<std::string, std::string> ResultFlagValues() {
+  std::map<std::string, std::string> values;
+  for (const std::string& name : ResultFlags()) {
+    values[name] = gflags::GetCommandLineFlagInfoOrDie(name.c_str()).current_value;
+  }
+  return values;
+}
+
+void CheckResultFlags(const std::map<std::string, std::string>& of_other_run,
+                      const std::string& name) {
+  std::set<std::string> known;
+  for (const std::string& flag : ResultFlags()) {
+    known.insert(flag);
+    const auto info = gflags::GetCommandLineFlagInfoOrDie(flag.c_str());
+    const auto other = of_other_run.find(flag);
+    const std::string expected = other == of_other_run.end() ? info.default_value : other->second;
+    if (info.current_value == expected) continue;
+    throw std::runtime_error(name + ": expected the flags of its run, --" + flag + "=" + expected +
+                             ", found --" + flag + "=" + info.current_value);
+  }
+  for (const auto& [flag, value] : of_other_run) {
+    if (known.contains(flag)) continue;
+    throw std::runtime_error(name + ": its run had --" + flag + "=" + value +
+                             ", which this program has not");
+  }
+}
+
+}  // namespace gmapping_spa::apps
