@@ -52,6 +52,12 @@ SlamResult FinalOptimization::Finish(backend::PoseGraph path) {
   return {std::move(graph), std::move(trajectory), std::move(map)};
 }
 
+std::vector<SE2> FinalOptimization::OptimizedNodes(const backend::PoseGraph& path) const {
+  backend::PoseGraph graph = path;
+  Optimize(path, &graph);
+  return backend::PosesOf(graph);
+}
+
 // Of each scan whether it fits, and belongs to the largest pieces that are joined.
 std::vector<bool> FinalOptimization::DrawnScans(int nodes) const {
   std::vector<bool> is_drawn(run_.scans->size(), true);

@@ -61,6 +61,9 @@ class FinalOptimization {
   // largest pieces that are joined. `path` is the graph without closures.
   SlamResult Finish(backend::PoseGraph path);
 
+  // world_T_node, optimized with the closures that there are.
+  std::vector<backend::SE2> OptimizedNodes(const backend::PoseGraph& path) const;
+
  private:
   std::vector<bool> DrawnScans(int nodes) const;
   bool Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const;

@@ -116,7 +116,8 @@ class Reader {
     if (cells_.size() > columns_.size()) {
       Fail(std::to_string(columns_.size()) + " columns", std::to_string(cells_.size()));
     }
-    ClosureRow row{.line = line_};
+    ClosureRow row;
+    row.line = line_;
     loop_closure::ClosureRecord& record = row.record;
     record.old_node = Node("old_node");
     record.node = Node("node");

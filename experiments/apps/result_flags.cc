@@ -15,7 +15,7 @@ std::vector<std::string> ResultFlags() {
   static const std::set<std::string> kNoInfluence = {
       "log",        "world",   "path",         "obstacles",
       "output_dir", "threads", "save_session", "checkpoint_every",
-      "resume"};
+      "resume",     "session", "closures"};
   std::vector<std::string> names;
   for (const FlagGroup& group : FlagsByGroup()) {
     for (const std::string& name : group.flags) {

@@ -37,15 +37,19 @@ SlamRun::SlamRun(const SlamOptions& options)
 void SlamRun::Resume(const session::Session& session, const std::string& name) {
   CheckResultFlags(session.info.flags, name);
   gmapping_.KeepStateOf(optimizer_);
+  Load(session, name);
+  stopwatch_.Add(session.info.processing_s);
+  session_name_ = name;
+  resumed_scans_ = counts().scans;
+}
+
+void SlamRun::Load(const session::Session& session, const std::string& name) {
   try {
     session::LoadState(session.state, &gmapping_);
   } catch (const std::exception& error) {
     throw std::runtime_error(name + ": expected the state of a run with these flags, found one " +
                              "that does not fit: " + error.what());
   }
-  stopwatch_.Add(session.info.processing_s);
-  session_name_ = name;
-  resumed_scans_ = counts().scans;
 }
 
 void SlamRun::CheckThatSessionEnded() const {
@@ -103,23 +107,39 @@ bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::Log
   const frontend::SlamResult estimate = signal == 0 ? gmapping_.Finish() : gmapping_.FinishEarly();
   // A signal during the final optimization may have cut it short.
   if (gmapping_.graph_thread().counts().late > late) signal = ReceivedSignal();
-  stopwatch_.Lap("finish_s");
-  const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, occupied_threshold_);
-  if (map.cells.empty()) throw std::runtime_error("no scan saw anything: the map would be empty");
-
-  WriteResultFiles(estimate.trajectory, estimate.graph, map, gmapping_.health().stretches(), files);
-  files->Write("loop_closures.csv", [&](std::ostream& out) {
-    WriteClosures(gmapping_.loop_closer().records(), estimate.graph.nodes, out);
-  });
-  stopwatch_.Lap("writing_s");
-  const Json health = HealthRecord(gmapping_.health(), log_counts);
-  Json record = MakeRunRecord(input(), gmapping_, map, health, stopwatch_);
+  Json record = WriteEstimate(estimate, input, log_counts, files);
   if (resumed_scans_ > 0) record["resources"]["resumed_after_scans"] = resumed_scans_;
   if (signal != 0) record["interrupted"] = {{"signal", signal}, {"scans", counts().scans}};
   files->Write("run.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
   WarnOf(log_counts);
   gmapping_.health().LogSummary();
   return signal == 0;
+}
+
+void SlamRun::FinishEdited(const Json& input, const Json& edits, int refine, OutputFiles* files) {
+  stopwatch_.Lap("processing_s");
+  const frontend::SlamResult estimate = gmapping_.FinishEdited(refine);
+  ThrowIfInterrupted();
+  Json record = WriteEstimate(
+      estimate, [&] { return input; }, {}, files);
+  record["edits"] = edits;
+  files->Write("run.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
+  gmapping_.health().LogSummary();
+}
+
+Json SlamRun::WriteEstimate(const frontend::SlamResult& estimate,
+                            const std::function<Json()>& input, const sensor::LogCounts& log_counts,
+                            OutputFiles* files) {
+  stopwatch_.Lap("finish_s");
+  const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, occupied_threshold_);
+  if (map.cells.empty()) throw std::runtime_error("no scan saw anything: the map would be empty");
+  WriteResultFiles(estimate.trajectory, estimate.graph, map, gmapping_.health().stretches(), files);
+  files->Write("loop_closures.csv", [&](std::ostream& out) {
+    WriteClosures(gmapping_.loop_closer().records(), estimate.graph.nodes, out);
+  });
+  stopwatch_.Lap("writing_s");
+  const Json health = HealthRecord(gmapping_.health(), log_counts);
+  return MakeRunRecord(input(), gmapping_, map, health, stopwatch_);
 }
 
 }  // namespace gmapping_spa::apps

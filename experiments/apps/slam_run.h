@@ -54,12 +54,23 @@ class SlamRun {
   bool Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
               OutputFiles* files);
 
+  // Takes over the state of a session that was made with the flags of this program, to edit it; no
+  // scans are asked for again. Throws std::runtime_error with one line when it does not fit.
+  void Load(const session::Session& session, const std::string& name);
+  frontend::ImprovedGmapping& gmapping() { return gmapping_; }
+  // Writes the files of Finish of closures that were edited (ImprovedGmapping::FinishEdited);
+  // `edits` tells the record how.
+  void FinishEdited(const Json& input, const Json& edits, int refine, OutputFiles* files);
+
   const frontend::ImprovedGmapping::Counts& counts() const { return gmapping_.counts(); }
 
  private:
   explicit SlamRun(const SlamOptions& options);
   bool WriteResults(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
                     OutputFiles* files);
+  // All but run.json, of which the record is returned.
+  Json WriteEstimate(const frontend::SlamResult& estimate, const std::function<Json()>& input,
+                     const sensor::LogCounts& log_counts, OutputFiles* files);
 
   double occupied_threshold_;
   bool is_async_;

@@ -67,7 +67,8 @@ class LoopCloser {
   // source, in order; those that are left over are new. An accepted one without its own is rejected
   // by hand. What is decided by hand stays as it is: an accepted closure is an edge that no loss
   // weighs and Review does not release; near a rejected one none is accepted again.
-  void Edit(const std::vector<ClosureRecord>& edited);
+  // Returns the number of accepted ones that had none.
+  int Edit(const std::vector<ClosureRecord>& edited);
 
   // How two nodes lie to each other, by their scans: in the window of the drift, or else in the
   // largest one. Verdict kUnconfirmed where they fit, or kRival where they fit elsewhere, too.

@@ -22,13 +22,14 @@ constexpr int kSameLook_nodes = 1;
 
 }  // namespace
 
-void LoopCloser::Edit(const std::vector<ClosureRecord>& edited) {
+int LoopCloser::Edit(const std::vector<ClosureRecord>& edited) {
   using Key = std::tuple<int, int, Source>;
   const auto key_of = [](const ClosureRecord& record) {
     return Key{record.old_node, record.node, record.source};
   };
   std::multimap<Key, const ClosureRecord*> open;  // equal ones stay in order
   for (const ClosureRecord& record : edited) open.emplace(key_of(record), &record);
+  int without_own = 0;
   for (ClosureRecord& record : records_) {
     if (const auto own = open.find(key_of(record)); own != open.end()) {
       // Their scores are rounded in files, and decide about others.
@@ -41,6 +42,7 @@ void LoopCloser::Edit(const std::vector<ClosureRecord>& edited) {
     } else if (record.verdict == Verdict::kAccepted) {
       record.overruled_verdict = std::exchange(record.verdict, Verdict::kRejected);
       record.is_by_hand = true;
+      ++without_own;
     }
   }
   for (const ClosureRecord& record : edited) {
@@ -53,6 +55,7 @@ void LoopCloser::Edit(const std::vector<ClosureRecord>& edited) {
   for (std::size_t position = 0; position < records_.size(); ++position) {
     if (records_[position].verdict == Verdict::kAccepted) Accept(position);
   }
+  return without_own;
 }
 
 ClosureRecord LoopCloser::Measure(const std::vector<SE2>& estimate, const ScanOfNode& scan_of_node,

@@ -97,7 +97,7 @@ TEST(ClosureRows, BadNodesAreNamedWithTheirLine) {
       "closures.csv:2: expected the older node, with the smaller number, as old_node, found ";
   EXPECT_EQ(ErrorOfLine("5,1,,,,,,add"), order + "5 and 1");
   EXPECT_EQ(ErrorOfLine("5,5,,,,,,add"), order + "5 and 5");
-  EXPECT_EQ(ErrorOf("old_node,node,verdict\n1,5,add\n1,6,add\n1,5,accepted\n"),
+  EXPECT_EQ(ErrorOf("old_node,node,verdict\n1,5,add\n1,6,add\n1,5,add\n"),
             "closures.csv:4: expected one accepted closure of nodes 1 and 5, found that of line 2 "
             "as well");
   EXPECT_EQ(Read("old_node,node,found,verdict\n1,5,,add\n1,5,overlap,overlap\n").size(), 2u);
