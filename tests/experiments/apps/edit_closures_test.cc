@@ -175,11 +175,14 @@ TEST_F(EditClosuresTour, WhatCannotBeDoneIsOneLineAndWritesNothing) {
 }
 
 TEST_F(EditClosuresTour, NodesWhoseScansDoNotFitAreRefusedWithTheReason) {
-  // From one end of the corridor to the room beside its middle.
+  // Another closure puts them 40 m apart, which is more than the search looks for.
   const Json record = ReadRunRecord(Result());
   const int last = record["counts"]["updates"].get<int>() - 1;
-  ExpectRefused(Edit("old_node,node,verdict\n0," + std::to_string(last / 2) + ",add\n"),
-                folder_.Path("edited.csv") + ":2: expected nodes whose scans fit, or their pose");
+  const std::string table = "old_node,node,x_m,y_m,theta_rad,I11,I12,I13,I22,I23,I33,verdict\n0," +
+                            std::to_string(last) + ",40,0,0,1e8,0,0,1e8,0,1e8,add\n0," +
+                            std::to_string(last - 1) + ",,,,,,,,,,add\n";
+  ExpectRefused(Edit(table),
+                folder_.Path("edited.csv") + ":3: expected nodes whose scans fit, or their pose");
 }
 
 TEST_F(EditClosuresTour, TheBackEndMayBeAnother) {
