@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "frontend/scan_matching/scan_points.h"
@@ -13,14 +12,10 @@ namespace gmapping_spa::frontend {
 using backend::SE2;
 
 FinalOptimization::FinalOptimization(const Options& options, Run run)
-    : options_(options), run_(std::move(run)), gauss_newton_(options.gauss_newton) {
-  std::vector<int> positions(run_.scans->size());
-  std::iota(positions.begin(), positions.end(), 0);
-  std::sort(positions.begin(), positions.end(),
-            [this](int a, int b) { return run_.scans->IndexOf(a) < run_.scans->IndexOf(b); });
-  rows_.resize(positions.size());
-  for (int row = 0; row < run_.scans->size(); ++row) rows_[positions[row]] = row;
-}
+    : options_(options),
+      run_(std::move(run)),
+      gauss_newton_(options.gauss_newton),
+      rows_(run_.scans->Rows()) {}
 
 SlamResult FinalOptimization::Finish(backend::PoseGraph path) {
   backend::PoseGraph graph = path;
@@ -31,13 +26,14 @@ SlamResult FinalOptimization::Finish(backend::PoseGraph path) {
     OptimizeAndReview(path, &graph);
   }
 
-  const std::vector<bool> is_drawn = DrawnScans(static_cast<int>(graph.nodes.size()));
-  backend::Trajectory trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
+  const std::vector<bool> is_drawn =
+      run_.drawn_scans ? run_.drawn_scans() : std::vector<bool>(run_.scans->size(), true);
+  backend::Trajectory trajectory = FilledTrajectory(graph);
   for (int round = 0; round < options_.refine; ++round) {
     if (round > 0) {
       UpdateOdometryEdges(trajectory, &path);
       Optimize(path, &graph);
-      trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
+      trajectory = FilledTrajectory(graph);
     }
     RefineScans(is_drawn, &trajectory);
     for (std::size_t node = 0; node < graph.nodes.size(); ++node) {
@@ -46,10 +42,13 @@ SlamResult FinalOptimization::Finish(backend::PoseGraph path) {
   }
 
   map::OccupancyGrid map(run_.grid);
-  for (int k = 0; k < run_.scans->size(); ++k) {
+  const int scans_of_map = run_.known ? KnownScans() : run_.scans->size();
+  for (int k = 0; k < scans_of_map; ++k) {
     if (is_drawn[k]) Register(k, trajectory, &map);
   }
-  return {std::move(graph), std::move(trajectory), std::move(map)};
+  std::vector<bool> is_placed(is_drawn.size());
+  for (int k = 0; k < run_.scans->size(); ++k) is_placed[rows_[k]] = is_drawn[k];
+  return {std::move(graph), std::move(trajectory), std::move(map), std::move(is_placed)};
 }
 
 std::vector<SE2> FinalOptimization::OptimizedNodes(const backend::PoseGraph& path) const {
@@ -58,22 +57,10 @@ std::vector<SE2> FinalOptimization::OptimizedNodes(const backend::PoseGraph& pat
   return backend::PosesOf(graph);
 }
 
-// Of each scan whether it fits, and belongs to the largest pieces that are joined.
-std::vector<bool> FinalOptimization::DrawnScans(int nodes) const {
-  std::vector<bool> is_drawn(run_.scans->size(), true);
-  if (run_.pieces) {
-    const std::vector<bool> largest = run_.pieces->Largest(
-        nodes, run_.loop_closer ? run_.loop_closer->closures() : std::vector<backend::Edge>());
-    int node = 0;  // the last one up to the scan
-    for (int k = 0; k < run_.scans->size(); ++k) {
-      if (node + 1 < nodes && run_.node_scans->at(node + 1) <= k) ++node;
-      is_drawn[k] = largest[run_.pieces->PieceOf(node)];
-    }
-  }
-  for (int k = 0; run_.is_lost && k < run_.scans->size(); ++k) {
-    is_drawn[k] = is_drawn[k] && !(*run_.is_lost)[k];
-  }
-  return is_drawn;
+backend::Trajectory FinalOptimization::FilledTrajectory(const backend::PoseGraph& graph) const {
+  backend::Trajectory trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
+  if (run_.known) std::copy(run_.known->begin(), run_.known->end(), trajectory.begin());
+  return trajectory;
 }
 
 // Optimizes the path with all closures, from the poses that `graph` has. They stay when the back
@@ -112,7 +99,7 @@ void FinalOptimization::RefineScans(const std::vector<bool>& is_drawn,
   for (const int position : *run_.node_scans) {
     if (is_drawn[position]) Register(position, *trajectory, &map);
   }
-  for (int k = 0; k < run_.scans->size(); ++k) {
+  for (int k = KnownScans(); k < run_.scans->size(); ++k) {
     if (!is_drawn[k]) continue;
     const sensor::LaserScan scan = run_.scans->Get(k);
     const scan_matching::ScanPoints points = scan_matching::MakeScanPoints(scan);

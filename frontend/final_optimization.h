@@ -48,8 +48,10 @@ class FinalOptimization {
     map::OccupancyGrid::Options grid;
     map::InsertionOptions insertion;
     const loop_closure::Pieces* pieces = nullptr;  // null: the path is all one
-    // Of each scan whether it fits nothing, and is not drawn; null: none.
-    const std::vector<bool>* is_lost = nullptr;
+    // Poses of the first scans that are known: they stay, and make the map alone. Null: none.
+    const backend::Trajectory* known = nullptr;
+    // Of each scan, given the closures there are by then, whether it is drawn; null: all.
+    std::function<std::vector<bool>()> drawn_scans;
     loop_closure::LoopCloser* loop_closer;  // null: no closures
     // The back end: nothing when it fails.
     std::function<std::optional<backend::PoseGraph>(const backend::PoseGraph&)> optimize;
@@ -57,17 +59,18 @@ class FinalOptimization {
 
   FinalOptimization(const Options& options, Run run);
 
-  // Closes loops everywhere, optimizes, refines, and makes the map from all scans, those of the
-  // largest pieces that are joined. `path` is the graph without closures.
+  // Closes loops everywhere, optimizes, refines, and makes the map from all scans that are drawn.
+  // `path` is the graph without closures.
   SlamResult Finish(backend::PoseGraph path);
 
   // world_T_node, optimized with the closures that there are.
   std::vector<backend::SE2> OptimizedNodes(const backend::PoseGraph& path) const;
 
  private:
-  std::vector<bool> DrawnScans(int nodes) const;
   bool Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
   void OptimizeAndReview(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
+  backend::Trajectory FilledTrajectory(const backend::PoseGraph& graph) const;
+  int KnownScans() const { return run_.known ? static_cast<int>(run_.known->size()) : 0; }
   void RefineScans(const std::vector<bool>& is_drawn, backend::Trajectory* trajectory) const;
   void UpdateOdometryEdges(const backend::Trajectory& trajectory, backend::PoseGraph* path) const;
   sensor::LaserScan ScanOfNode(int node) const { return run_.scans->Get((*run_.node_scans)[node]); }

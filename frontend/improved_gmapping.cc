@@ -29,7 +29,11 @@ ImprovedGmapping::ImprovedGmapping(const Options& options,
 ScanResult ImprovedGmapping::AddScan(const sensor::LaserScan& measured) {
   const Counts before = counts_;
   ScanResult result;
-  Process(measured, &result);
+  if (session_) {
+    Process(session_->Numbered(measured), &result);
+  } else {
+    Process(measured, &result);
+  }
   result.updated = counts_.updates > before.updates;
   result.corrected = counts_.corrections > before.corrections;
   result.world_T_robot = CurrentPose();
@@ -38,7 +42,8 @@ ScanResult ImprovedGmapping::AddScan(const sensor::LaserScan& measured) {
 
 void ImprovedGmapping::Process(const sensor::LaserScan& measured, ScanResult* result) {
   // Step 1: the control input.
-  const ScanMotion motion = control_.AddScan(measured);
+  ScanMotion motion = control_.AddScan(measured);
+  if (BeginsSession()) motion.new_piece_scans = 1;
   const SE2& u = motion.motion;
   // What one scan does not decide becomes a step of its own, for particles to take apart.
   const bool ambiguous = !motion.alternatives.empty();
@@ -70,9 +75,11 @@ void ImprovedGmapping::Process(const sensor::LaserScan& measured, ScanResult* re
   if (motion.new_piece_scans > 0) {
     scan_poses_.Add(scan, odom_T_scan_, amount, false);
     BeginPiece(motion.new_piece_scans);
+    if (session_) LookForRobot(scan, {});
     return;
   }
   scan_poses_.Add(scan, odom_T_scan_, amount, is_update);
+  if (session_ && motion.matched) LookForRobot(scan, u);
   if (!is_update) return;
 
   // Steps 2 to 5 and 7 to 10: scan matching, sampling, weights, maps and resampling.
@@ -95,33 +102,10 @@ void ImprovedGmapping::Process(const sensor::LaserScan& measured, ScanResult* re
   StartOptimization();
 }
 
-// The node of the piece is its first scan: what came before belongs to the piece before.
-void ImprovedGmapping::BeginPiece(int scans) {
-  scan_poses_.BeginPiece(scans - 1);
-  const int first = archive_.size() - scans;
-  const SE2 odom_T_first = scan_poses_.OdometryOf(scans - 1);
-  filter_.BeginPiece(archive_.Get(first), Between(odom_T_last_update_, odom_T_first));
-  loop_closer_.BeginPiece(static_cast<int>(node_scans_.size()));
-  node_scans_.push_back(first);
-  std::fill(is_lost_.begin() + first, is_lost_.end(), false);
-  is_drawn_.assign(loop_closer_.pieces().size(), false);
-  is_drawn_.back() = true;
-  filter_.ForgetMapHistory();
-  ++counts_.updates;
-  ++counts_.pieces;
-  ++updates_since_optimization_;
-  odom_T_last_update_ = odom_T_first;
-  const SE2 since = Between(odom_T_first, odom_T_scan_);
-  increments_since_update_.clear();
-  if (options_.filter.motion.noise_at_each_scan) increments_since_update_.push_back(since);
-  linear_since_update_m_ = since.translation().norm();
-  angular_since_update_rad_ = std::abs(since.theta);
-}
-
 bool ImprovedGmapping::UpdateIsDue(const SE2& u, double density) {
   linear_since_update_m_ += u.translation().norm();
   angular_since_update_rad_ += std::abs(u.theta);
-  return counts_.updates == 0 || linear_since_update_m_ >= density * options_.linear_update_m ||
+  return node_scans_.empty() || linear_since_update_m_ >= density * options_.linear_update_m ||
          angular_since_update_rad_ >= density * options_.angular_update_rad;
 }
 
@@ -133,7 +117,7 @@ ParticleFilter::Control ImprovedGmapping::ControlSinceUpdate() const {
 
 void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan,
                                     const std::vector<ParticleFilter::Control>& controls) {
-  if (counts_.updates == 0) {
+  if (node_scans_.empty()) {
     if (ParticleFilter::AreAllAlike(options_.filter)) {
       health_.Report("particles_alike", scan.stamp_s,
                      "the flags leave nothing to chance: all particles are copies of one");
@@ -196,31 +180,6 @@ void ImprovedGmapping::ApplyOptimizedGraph(const backend::PoseGraph& optimized) 
   }
 }
 
-// Nothing is drawn over a map that it is not joined with.
-sensor::LaserScan ImprovedGmapping::DrawnScanOfNode(int node) const {
-  sensor::LaserScan scan = ScanOfNode(node);
-  if (!is_drawn_[loop_closer_.pieces().PieceOf(node)]) scan.beams.clear();
-  return scan;
-}
-
-void ImprovedGmapping::ReportPieces(const std::vector<bool>& is_drawn) {
-  const loop_closure::Pieces& pieces = loop_closer_.pieces();
-  for (int piece = 0; piece < pieces.size(); ++piece) {
-    if (is_drawn[piece]) continue;
-    const int first = node_scans_[pieces.FirstNode(piece)];
-    const int end =
-        piece + 1 < pieces.size() ? node_scans_[pieces.FirstNode(piece + 1)] : archive_.size();
-    health_.Report("piece_not_joined", archive_.StampOf(first),
-                   "a piece of " + std::to_string(end - first) +
-                       " scans was never joined with the map: it is not drawn, and where the robot "
-                       "was then is not known");
-    for (int k = first; k < end; ++k) {
-      if (!is_lost_[k]) health_.Mark("lost", archive_.StampOf(k));  // the others are marked
-    }
-    health_.MergeStretches("lost");
-  }
-}
-
 void ImprovedGmapping::ReportClosures(const std::vector<SE2>& world_T_nodes) {
   const auto stamp_of_node = [this](int node) { return archive_.StampOf(node_scans_[node]); };
   ReportRejectedClosures(graph_thread_.rejected_closures(), stamp_of_node, &health_);
@@ -228,10 +187,12 @@ void ImprovedGmapping::ReportClosures(const std::vector<SE2>& world_T_nodes) {
 }
 
 void ImprovedGmapping::EmitPath(backend::PoseGraphSink* sink) const {
+  const int nodes_fixed = session_ && session_->is_fixed() ? session_->nodes() : 0;
   for (const TrajectoryTree::Vertex& vertex : filter_.Path(filter_.BestParticle())) {
     sink->AddNode({.id = vertex.step,
                    .stamp_s = archive_.StampOf(node_scans_[vertex.step]),
-                   .world_T_node = vertex.world_T_robot});
+                   .world_T_node = vertex.world_T_robot,
+                   .fixed = vertex.step < nodes_fixed});
     if (vertex.step == 0) continue;
     sink->AddEdge({.i = vertex.step - 1,
                    .j = vertex.step,
@@ -262,7 +223,11 @@ backend::Trajectory ImprovedGmapping::CurrentTrajectory() const {
 SlamResult ImprovedGmapping::CurrentResult() const {
   backend::PoseGraphRecorder recorder;
   EmitGraph(&recorder);
-  return {recorder.graph(), CurrentTrajectory(), CurrentMap()};
+  const std::vector<bool> is_drawn = DrawnScans(session_ ? DrawnInTheEnd() : is_drawn_);
+  const std::vector<std::size_t> rows = archive_.Rows();
+  std::vector<bool> is_placed(rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) is_placed[rows[k]] = is_drawn[k];
+  return {recorder.graph(), CurrentTrajectory(), CurrentMap(), std::move(is_placed)};
 }
 
 SlamResult ImprovedGmapping::FinishEarly() {

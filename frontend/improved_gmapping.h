@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "frontend/health.h"
 #include "frontend/loop_closure/loop_closer.h"
 #include "frontend/map_area.h"
+#include "frontend/map_session.h"
 #include "frontend/particle_filter/particle_filter.h"
 #include "frontend/scan_matching/scan_matcher.h"
 #include "frontend/scan_poses.h"
@@ -92,6 +94,12 @@ class ImprovedGmapping {
   // that a map can cover.
   ScanResult AddScan(const sensor::LaserScan& measured);
 
+  // Scans to come are of another log, from another start: a new piece of map, until the robot is
+  // found in the map of all scans up to now, which FinalOptimization makes. Needs a scan. Health
+  // and counts begin anew; rows of trajectories go on.
+  void BeginSession(MapSession::Use use);
+  const std::optional<MapSession>& session() const { return session_; }
+
   // The pose graph as it is now: the best particle's path, one node per update with ids 0, 1, ...,
   // and the accepted loop closures.
   void EmitGraph(backend::PoseGraphSink* sink) const;
@@ -112,6 +120,7 @@ class ImprovedGmapping {
   int EditClosures(const std::vector<loop_closure::ClosureRecord>& edited);
   // world_T_node of all nodes, optimized with the closures as they are.
   std::vector<backend::SE2> OptimizedNodes();
+  int nodes() const { return static_cast<int>(node_scans_.size()); }
   // How two nodes lie to each other by their scans, where `world_T_nodes` are those poses; see
   // LoopCloser::Measure.
   loop_closure::ClosureRecord MeasureClosure(const std::vector<backend::SE2>& world_T_nodes,
@@ -129,6 +138,8 @@ class ImprovedGmapping {
   double sweep_s() const { return control_.sweep_s(); }
   // All scans so far.
   const sensor::ScanArchive& scans() const { return archive_; }
+  // Whether this is the scan that AddScan was given as the k-th one of the session, from 0.
+  bool HasTaken(std::int64_t k, const sensor::LaserScan& scan) const;
 
   // For sessions (frontend/session): all but what the options say.
   template <typename Archive>
@@ -138,11 +149,21 @@ class ImprovedGmapping {
             noise_since_update_, linear_since_update_m_, angular_since_update_rad_,
             updates_since_optimization_, closure_waits_, world_T_nodes_before_, closures_before_,
             is_drawn_, counts_, graph_thread_);
+    bool in_session = session_.has_value();
+    archive(in_session);
+    if (!in_session) return;
+    if (!session_)
+      session_.emplace(MapSession::Use::kMapOn, MapSession::Known(options_.filter.grid));
+    archive(*session_);
   }
 
  private:
   void Process(const sensor::LaserScan& measured, ScanResult* result);
   void BeginPiece(int scans);
+  bool BeginsSession() const { return session_ && archive_.size() == session_->scans(); }
+  void LookForRobot(const sensor::LaserScan& scan, const backend::SE2& motion);
+  std::vector<bool> DrawnInTheEnd() const;
+  std::vector<bool> DrawnScans(const std::vector<bool>& is_piece_drawn) const;
   particle_filter::ParticleFilter::Control ControlSinceUpdate() const;
   bool UpdateIsDue(const backend::SE2& u, double density);
   void ApplyOptimizedGraph(const backend::PoseGraph& optimized);
@@ -183,6 +204,7 @@ class ImprovedGmapping {
   std::vector<backend::SE2> world_T_nodes_before_;  // of the optimization that runs
   std::vector<backend::Edge> closures_before_;      // that it knows
   std::vector<bool> is_drawn_ = {true};  // of each piece whether the particles' maps hold it
+  std::optional<MapSession> session_;
   Counts counts_;
 };
 

@@ -79,8 +79,8 @@ void Run() {
   TakeFlagsOf(session);
   SlamRun slam;
   slam.Load(session, FLAGS_session);
-  const std::vector<ClosureRow> rows = ReadClosureRows(*OpenInput(FLAGS_closures), FLAGS_closures,
-                                                       static_cast<int>(slam.counts().updates));
+  const std::vector<ClosureRow> rows =
+      ReadClosureRows(*OpenInput(FLAGS_closures), FLAGS_closures, slam.gmapping().nodes());
   const Json input = {{"session", Identify(FLAGS_session)}, {"closures", Identify(FLAGS_closures)}};
   OutputFiles files(FLAGS_output_dir);
   const Json edits = ApplyClosureRows(rows, FLAGS_closures, &slam.gmapping());

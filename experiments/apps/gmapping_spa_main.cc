@@ -16,12 +16,15 @@
 #include "experiments/apps/output_files.h"
 #include "experiments/apps/progress_bar.h"
 #include "experiments/apps/session_flags.h"
+#include "experiments/apps/session_log.h"
 #include "experiments/apps/session_saver.h"
 #include "experiments/apps/slam_flags.h"
 #include "experiments/apps/slam_run.h"
 
 DEFINE_string(
-    log, "", "Sensor log: a ROS 1 or ROS 2 bag (file or folder), or a CARMEN log, gzipped or not.");
+    log, "",
+    "Sensor log: a ROS 1 or ROS 2 bag (file or folder), a CARMEN log, gzipped or not, or the "
+    "session file of another run, whose scans are read.");
 DEFINE_string(output_dir, "",
               "Folder for the trajectory, map, pose graph and record of the run; made if needed.");
 
@@ -31,7 +34,8 @@ namespace {
 // `saver`: null where no session is written.
 sensor::LogCounts ProcessLog(const sensor::LogOptions& options, SlamRun* slam,
                              SessionSaver* saver) {
-  const LogFile log = OpenLogFile(FLAGS_log, options);
+  const LogFile log =
+      IsSessionFile(FLAGS_log) ? OpenSessionLog(FLAGS_log) : OpenLogFile(FLAGS_log, options);
   ProgressBar progress("slam", ProgressTotal(log, FLAGS_log));
   while (const std::optional<sensor::LaserScan> scan = log.reader->Next()) {
     if (ReceivedSignal() != 0) break;
@@ -70,7 +74,7 @@ void Run() {
   }
   const sensor::LogOptions log_options = LogOptionsFromFlags();
   SlamRun slam;
-  ResumeAsFlagsSay(&slam);
+  BeginAsFlagsSay(&slam);
   const std::unique_ptr<SessionSaver> saver = MakeSessionSaver(&slam);
   OutputFiles files(FLAGS_output_dir);
   const sensor::LogCounts log_counts = ProcessLog(log_options, &slam, saver.get());

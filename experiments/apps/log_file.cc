@@ -42,6 +42,7 @@ LogFile OpenLogFile(const std::string& path, const sensor::LogOptions& options) 
 }
 
 std::int64_t ProgressTotal(const LogFile& log, const std::string& path) {
+  if (log.total) return *log.total;
   if (!log.bag) {
     const std::unique_ptr<std::istream> in = OpenInput(path);
     return std::count(std::istreambuf_iterator<char>(*in), {}, '\n');

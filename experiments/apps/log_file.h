@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "experiments/apps/json.h"
@@ -19,6 +20,7 @@ struct LogFile {
   std::shared_ptr<const rosbag::BagReport> bag;  // none for a CARMEN log
   // The count of the reader that tells how far it is.
   std::string progress_count;
+  std::optional<std::int64_t> total = {};  // of that count, where it is known beforehand
 };
 
 // Tells the format by what is in the file: a bag of ROS 1 or ROS 2, a folder with such, or else a

@@ -13,9 +13,9 @@ namespace gmapping_spa::apps {
 std::vector<std::string> ResultFlags() {
   // Of files it is the content that counts.
   static const std::set<std::string> kNoInfluence = {
-      "log",        "world",   "path",         "obstacles",
-      "output_dir", "threads", "save_session", "checkpoint_every",
-      "resume",     "session", "closures"};
+      "log",        "world",       "path",         "obstacles",
+      "output_dir", "threads",     "save_session", "checkpoint_every",
+      "resume",     "map_session", "session",      "closures"};
   std::vector<std::string> names;
   for (const FlagGroup& group : FlagsByGroup()) {
     for (const std::string& name : group.flags) {
@@ -33,17 +33,23 @@ std::map<std::string, std::string> ResultFlagValues() {
   return values;
 }
 
+void CheckResultFlag(const std::string& flag,
+                     const std::map<std::string, std::string>& of_other_run,
+                     const std::string& name) {
+  const auto info = gflags::GetCommandLineFlagInfoOrDie(flag.c_str());
+  const auto other = of_other_run.find(flag);
+  const std::string expected = other == of_other_run.end() ? info.default_value : other->second;
+  if (info.current_value == expected) return;
+  throw std::runtime_error(name + ": expected the flags of its run, --" + flag + "=" + expected +
+                           ", found --" + flag + "=" + info.current_value);
+}
+
 void CheckResultFlags(const std::map<std::string, std::string>& of_other_run,
                       const std::string& name) {
   std::set<std::string> known;
   for (const std::string& flag : ResultFlags()) {
     known.insert(flag);
-    const auto info = gflags::GetCommandLineFlagInfoOrDie(flag.c_str());
-    const auto other = of_other_run.find(flag);
-    const std::string expected = other == of_other_run.end() ? info.default_value : other->second;
-    if (info.current_value == expected) continue;
-    throw std::runtime_error(name + ": expected the flags of its run, --" + flag + "=" + expected +
-                             ", found --" + flag + "=" + info.current_value);
+    CheckResultFlag(flag, of_other_run, name);
   }
   for (const auto& [flag, value] : of_other_run) {
     if (known.contains(flag)) continue;

@@ -16,6 +16,12 @@ std::vector<std::string> ResultFlags();
 // Their values now.
 std::map<std::string, std::string> ResultFlagValues();
 
+// Throws std::runtime_error with one line, which begins with `name`, when the flag of this run is
+// not that of another one.
+void CheckResultFlag(const std::string& flag,
+                     const std::map<std::string, std::string>& of_other_run,
+                     const std::string& name);
+
 // Throws std::runtime_error with one line, which begins with `name`, when the flags of this run are
 // not those of another one. Flags that the other program did not have yet must have their defaults.
 void CheckResultFlags(const std::map<std::string, std::string>& of_other_run,

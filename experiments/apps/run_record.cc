@@ -91,4 +91,17 @@ Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping
   return json;
 }
 
+Json MapSessionRecord(const frontend::MapSession& session, std::int64_t scans, std::size_t poses) {
+  Json found = Json::array();
+  for (const frontend::MapSession::Found& one : session.found()) {
+    found.push_back({{"stamp_s", one.stamp_s}, {"after_s", one.after_s}});
+  }
+  return {{"known_scans", session.scans()},
+          {"known_nodes", session.nodes()},
+          {"map_is_fixed", session.is_fixed()},
+          {"found", found},
+          {"is_looked_for_at_end", session.searches()},
+          {"scans_of_unknown_pose", scans - static_cast<std::int64_t>(poses)}};
+}
+
 }  // namespace gmapping_spa::apps

@@ -40,6 +40,9 @@ class Stopwatch {
 Json MakeRunRecord(const Json& input, const frontend::ImprovedGmapping& gmapping,
                    const map::TrinaryMap& map, const Json& health, const Stopwatch& stopwatch);
 
+// What came of going on in the map of another run; `scans` of the log and poses told of them.
+Json MapSessionRecord(const frontend::MapSession& session, std::int64_t scans, std::size_t poses);
+
 }  // namespace gmapping_spa::apps
 
 #endif  // GMAPPING_SPA_EXPERIMENTS_APPS_RUN_RECORD_H_

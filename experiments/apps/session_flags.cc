@@ -21,15 +21,36 @@ DEFINE_string(resume, "",
               "Session file to go on with, on the same log or one that has more scans at its end, "
               "and with the same flags. Empty: from the begin of the log.");
 
+DEFINE_string(map_session, "",
+              "Session file of another run, from another day or start, in whose map this one goes "
+              "on: the robot is looked for in it, and old and new become one map. Empty: a map of "
+              "its own.");
+DEFINE_bool(localize, false,
+            "With --map_session: leave its map as it is, and find out where in it the robot is at "
+            "each scan, and how surely.");
+
 namespace gmapping_spa::apps {
 
 FlagGroups SessionFlagGroups() {
-  return {{"session", "Sessions", {"save_session", "checkpoint_every", "resume"}}};
+  return {{"session",
+           "Sessions",
+           {"save_session", "checkpoint_every", "resume", "map_session", "localize"}}};
 }
 
-void ResumeAsFlagsSay(SlamRun* slam) {
-  if (FLAGS_resume.empty()) return;
-  slam->Resume(session::ReadSession(OpenInput(FLAGS_resume).get(), FLAGS_resume), FLAGS_resume);
+void BeginAsFlagsSay(SlamRun* slam) {
+  const auto read = [](const std::string& path) {
+    return session::ReadSession(OpenInput(path).get(), path);
+  };
+  if (FLAGS_localize && FLAGS_map_session.empty()) {
+    throw std::runtime_error("--localize needs --map_session=FILE: the map to localize in");
+  }
+  if (!FLAGS_resume.empty()) {
+    slam->Resume(read(FLAGS_resume), FLAGS_resume);  // which knows of the map
+  } else if (!FLAGS_map_session.empty()) {
+    slam->GoOnInMapOf(
+        read(FLAGS_map_session), FLAGS_map_session,
+        FLAGS_localize ? frontend::MapSession::Use::kLocalize : frontend::MapSession::Use::kMapOn);
+  }
 }
 
 std::unique_ptr<SessionSaver> MakeSessionSaver(SlamRun* slam) {

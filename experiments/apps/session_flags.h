@@ -13,9 +13,10 @@ namespace gmapping_spa::apps {
 
 FlagGroups SessionFlagGroups();
 
-// With --resume, makes `slam` go on from there. Throws std::runtime_error with one line when the
-// file is no session, or one of another version or with other flags.
-void ResumeAsFlagsSay(SlamRun* slam);
+// With --resume, makes `slam` go on from there; with --map_session, in the map of that. Throws
+// std::runtime_error with one line when the file is no session, or one of another version or with
+// other flags.
+void BeginAsFlagsSay(SlamRun* slam);
 
 // Nothing without --save_session; otherwise `slam` is told. Throws like SessionSaver, and when the
 // flags make no sense.

@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -13,6 +14,7 @@
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/closure_table.h"
 #include "experiments/apps/health_record.h"
+#include "experiments/apps/localization_table.h"
 #include "experiments/apps/result_files.h"
 #include "experiments/apps/result_flags.h"
 #include "experiments/apps/slam_flags.h"
@@ -34,22 +36,30 @@ SlamRun::SlamRun(const SlamOptions& options)
   gmapping_.StopWaitingWhen([] { return ReceivedSignal() != 0; });
 }
 
-void SlamRun::Resume(const session::Session& session, const std::string& name) {
-  CheckResultFlags(session.info.flags, name);
-  gmapping_.KeepStateOf(optimizer_);
-  Load(session, name);
-  stopwatch_.Add(session.info.processing_s);
-  session_name_ = name;
-  resumed_scans_ = counts().scans;
-}
-
 void SlamRun::Load(const session::Session& session, const std::string& name) {
+  gmapping_.KeepStateOf(optimizer_);
   try {
     session::LoadState(session.state, &gmapping_);
   } catch (const std::exception& error) {
     throw std::runtime_error(name + ": expected the state of a run with these flags, found one " +
                              "that does not fit: " + error.what());
   }
+}
+
+void SlamRun::GoOnInMapOf(const session::Session& session, const std::string& name,
+                          frontend::MapSession::Use use) {
+  CheckResultFlag("resolution_m", session.info.flags, name);
+  Load(session, name);
+  if (counts().updates == 0) throw std::runtime_error(name + ": expected a map, found no scan");
+  gmapping_.BeginSession(use);
+}
+
+void SlamRun::Resume(const session::Session& session, const std::string& name) {
+  CheckResultFlags(session.info.flags, name);
+  Load(session, name);
+  stopwatch_.Add(session.info.processing_s);
+  session_name_ = name;
+  resumed_scans_ = counts().scans;
 }
 
 void SlamRun::CheckThatSessionEnded() const {
@@ -79,7 +89,7 @@ session::Session SlamRun::MakeSession(const std::string& log) const {
 
 void SlamRun::AddScan(const sensor::LaserScan& scan) {
   if (CatchesUp()) {
-    if (!gmapping_.scans().Holds(static_cast<int>(given_scans_), scan)) {
+    if (!gmapping_.HasTaken(given_scans_, scan)) {
       throw std::runtime_error(session_name_ +
                                ": expected the log of its run, found another scan " +
                                std::to_string(given_scans_ + 1));
@@ -97,6 +107,17 @@ bool SlamRun::Finish(const std::function<Json()>& input, const sensor::LogCounts
   return backend::WithMemory(
       "while making the results of " + std::to_string(counts().scans) + " scans",
       [&] { return WriteResults(input, log_counts, files); });
+}
+
+// Where in the map the robot is not known to have been, no pose is told.
+backend::Trajectory SlamRun::OfThisLog(const frontend::SlamResult& result) const {
+  const std::optional<frontend::MapSession>& session = gmapping_.session();
+  if (!session) return result.trajectory;
+  backend::Trajectory poses;
+  for (std::size_t row = session->scans(); row < result.trajectory.size(); ++row) {
+    if (result.is_placed[row]) poses.push_back(result.trajectory[row]);
+  }
+  return poses;
 }
 
 bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
@@ -133,13 +154,24 @@ Json SlamRun::WriteEstimate(const frontend::SlamResult& estimate,
   stopwatch_.Lap("finish_s");
   const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, occupied_threshold_);
   if (map.cells.empty()) throw std::runtime_error("no scan saw anything: the map would be empty");
-  WriteResultFiles(estimate.trajectory, estimate.graph, map, gmapping_.health().stretches(), files);
+  const backend::Trajectory trajectory = OfThisLog(estimate);
+  WriteResultFiles(trajectory, estimate.graph, map, gmapping_.health().stretches(), files);
   files->Write("loop_closures.csv", [&](std::ostream& out) {
     WriteClosures(gmapping_.loop_closer().records(), estimate.graph.nodes, out);
   });
+  if (gmapping_.session() && gmapping_.session()->is_fixed()) {
+    const std::vector<LocalizedScan> scans = LocalizedScans(gmapping_, estimate, optimizer_.get());
+    files->Write("localization.csv", [&](std::ostream& out) { WriteLocalization(scans, out); });
+  }
   stopwatch_.Lap("writing_s");
   const Json health = HealthRecord(gmapping_.health(), log_counts);
-  return MakeRunRecord(input(), gmapping_, map, health, stopwatch_);
+  Json record = MakeRunRecord(input(), gmapping_, map, health, stopwatch_);
+  if (gmapping_.session()) {
+    record["session"] = MapSessionRecord(*gmapping_.session(), counts().scans, trajectory.size());
+    LOG_IF(WARNING, trajectory.empty()) << "the robot was not found in the map of the session: no "
+                                           "pose is told";
+  }
+  return record;
 }
 
 }  // namespace gmapping_spa::apps

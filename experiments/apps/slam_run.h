@@ -35,6 +35,12 @@ class SlamRun {
   // To be called after the last scan: throws std::runtime_error with one line when it catches up.
   void CheckThatSessionEnded() const;
 
+  // Goes on in the map of a session: scans to come are of another log. Throws std::runtime_error
+  // with one line when the session has no scans, cells of another size or does not fit. Call it
+  // before AddScan.
+  void GoOnInMapOf(const session::Session& session, const std::string& name,
+                   frontend::MapSession::Use use);
+
   // Call it before AddScan where sessions will be saved. Warns where those that go on with them may
   // end with other bytes.
   void PrepareToSave();
@@ -47,9 +53,10 @@ class SlamRun {
 
   // After the last scan, or the last one before the process received a signal: then results are
   // those of the scans so far, without the final optimization, and the record says so. Writes
-  // the files of result_files.h, loop_closures.csv and run.json, and warns of what was noticed.
-  // `input` tells for the record what the scans were made of; `log_counts` are those of the log's
-  // reader, empty where there is none. Returns whether the results are those of all scans. Throws
+  // the files of result_files.h, loop_closures.csv and run.json, where the robot is localized in a
+  // map localization.csv, too, and warns of what was noticed. `input` tells for the record what the
+  // scans were made of; `log_counts` are those of the log's reader, empty where there is none.
+  // Returns whether the results are those of all scans. Throws
   // std::runtime_error with one line where the map would be empty.
   bool Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
               OutputFiles* files);
@@ -66,6 +73,7 @@ class SlamRun {
 
  private:
   explicit SlamRun(const SlamOptions& options);
+  backend::Trajectory OfThisLog(const frontend::SlamResult& result) const;
   bool WriteResults(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
                     OutputFiles* files);
   // All but run.json, of which the record is returned.

@@ -34,10 +34,11 @@ std::optional<Verdict> VerdictNamed(std::string_view name);
 
 // Where a candidate came from.
 enum class Source : std::uint8_t {
-  kNear,      // it is near by the estimate, given the drift
-  kPlace,     // the place looks like the other one: the estimate had no say
-  kFollowed,  // it is near if a closure found so nearby on the way is right
-  kHand       // somebody says so
+  kNear,       // it is near by the estimate, given the drift
+  kPlace,      // the place looks like the other one: the estimate had no say
+  kFollowed,   // it is near if a closure found so nearby on the way is right
+  kLocalized,  // the robot, which might have been anywhere, was found in the map of before
+  kHand        // somebody says so
 };
 
 const char* SourceName(Source source);
@@ -72,6 +73,10 @@ struct ClosureRecord {
             verdict, is_by_hand, overruled_verdict);
   }
 };
+
+// What scans say about where they are in a map, given that no map is exact, whatever the number of
+// points. `information` of (x, y, theta) may be singular, as in a corridor.
+Eigen::Matrix3d WithMapErrors(const Eigen::Matrix3d& information);
 
 }  // namespace gmapping_spa::loop_closure
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/loop_closure/local_map.h"
 
-#include <cmath>
-#include <cstdint>
-#include <unordered_set>
-
 #include "frontend/map/scan_insertion.h"
+#include "frontend/scan_matching/joined_points.h"
 
 namespace gmapping_spa::loop_closure {
 
@@ -40,28 +37,12 @@ map::OccupancyGrid BuildLocalMap(const std::vector<SE2>& world_T_nodes,
 scan_matching::ScanPoints JoinScans(const std::vector<SE2>& world_T_nodes,
                                     const ScanOfNode& scan_of_node, NodeRange nodes, int reference,
                                     double cell_m) {
-  scan_matching::ScanPoints joined;
-  std::unordered_set<std::int64_t> taken;
+  scan_matching::JoinedPoints joined(cell_m);
   for (int node = nodes.first; node <= nodes.last; ++node) {
-    const SE2 reference_T_node = Between(world_T_nodes[reference], world_T_nodes[node]);
-    const SE2 rotation{0, 0, reference_T_node.theta};
-    for (const scan_matching::ScanPoint& point : scan_matching::MakeEndPoints(scan_of_node(node))) {
-      const Eigen::Vector2d at = reference_T_node * Eigen::Vector2d(point.x_m, point.y_m);
-      const auto column = static_cast<std::int64_t>(std::floor(at.x() / cell_m));
-      const auto row = static_cast<std::int64_t>(std::floor(at.y() / cell_m));
-      if (!taken.insert(column * (std::int64_t{1} << 32) + row).second) continue;
-      const Eigen::Vector2d back = rotation * Eigen::Vector2d(point.back_x, point.back_y);
-      joined.push_back({at.x(), at.y(), back.x(), back.y()});
-    }
+    joined.Add(scan_matching::MakeEndPoints(scan_of_node(node)),
+               Between(world_T_nodes[reference], world_T_nodes[node]));
   }
-  return joined;
-}
-
-std::vector<Eigen::Vector2d> PositionsOf(const scan_matching::ScanPoints& points) {
-  std::vector<Eigen::Vector2d> positions;
-  positions.reserve(points.size());
-  for (const scan_matching::ScanPoint& point : points) positions.emplace_back(point.x_m, point.y_m);
-  return positions;
+  return joined.points();
 }
 
 }  // namespace gmapping_spa::loop_closure

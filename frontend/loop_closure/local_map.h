@@ -3,7 +3,6 @@
 #ifndef GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_LOCAL_MAP_H_
 #define GMAPPING_SPA_FRONTEND_LOOP_CLOSURE_LOCAL_MAP_H_
 
-#include <Eigen/Core>
 #include <functional>
 #include <vector>
 
@@ -36,9 +35,6 @@ map::OccupancyGrid BuildLocalMap(const std::vector<backend::SE2>& world_T_nodes,
 scan_matching::ScanPoints JoinScans(const std::vector<backend::SE2>& world_T_nodes,
                                     const ScanOfNode& scan_of_node, NodeRange nodes, int reference,
                                     double cell_m);
-
-// Where they are.
-std::vector<Eigen::Vector2d> PositionsOf(const scan_matching::ScanPoints& points);
 
 }  // namespace gmapping_spa::loop_closure
 

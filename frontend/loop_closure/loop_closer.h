@@ -58,6 +58,12 @@ class LoopCloser {
   // Looks for closures of all nodes, with what is known by now.
   int UpdateAll(const std::vector<backend::SE2>& estimate, const ScanOfNode& scan_of_node);
 
+  // Accepts a closure that was found elsewhere.
+  void Add(const ClosureRecord& record) {
+    records_.push_back(record);
+    Accept(records_.size() - 1);
+  }
+
   // Releases those accepted closures that an optimized graph with all of them contradicts most, and
   // accepts those released that it agrees with. Returns the number of both: optimize anew, unless
   // zero. `world_T_nodes`: as optimized with closures().

@@ -6,19 +6,13 @@
 #include <numbers>
 #include <utility>
 
+#include "frontend/scan_matching/joined_points.h"
+
 namespace gmapping_spa::loop_closure {
 
 using backend::SE2;
 
 namespace {
-
-// At most so many, spread evenly.
-std::vector<Eigen::Vector2d> Thinned(const std::vector<Eigen::Vector2d>& points, int count) {
-  const std::size_t stride = points.size() / static_cast<std::size_t>(count) + 1;
-  std::vector<Eigen::Vector2d> thinned;
-  for (std::size_t k = 0; k < points.size(); k += stride) thinned.push_back(points[k]);
-  return thinned;
-}
 
 std::vector<Eigen::Vector2d> ToDouble(const std::vector<Eigen::Vector2f>& points) {
   std::vector<Eigen::Vector2d> result;
@@ -56,8 +50,8 @@ bool PlaceSearch::IsDistinct(const std::vector<Eigen::Vector2d>& points) const {
   scan_matching::CorrelativeMatcher::Options options = options_.search;
   options.runner_up_floor = 0.9 * options_.max_likeness;
   const scan_matching::CorrelativeMatcher search(options, points);
-  const scan_matching::CorrelativeMatch match =
-      search.Match(Thinned(points, options_.max_points), SE2{}, {options_.window_m, 0.0});
+  const scan_matching::CorrelativeMatch match = search.Match(
+      scan_matching::Thinned(points, options_.max_points), SE2{}, {options_.window_m, 0.0});
   return match.found && match.runner_up_score <= options_.max_likeness * match.score;
 }
 
@@ -90,7 +84,7 @@ std::vector<PlaceMatch> PlaceSearch::Find(int place, const std::vector<double>& 
   std::vector<PlaceMatch> matches;
   if (!places_.at(place).is_distinct) return matches;
   const std::vector<Eigen::Vector2d> points =
-      Thinned(ToDouble(places_[place].points), options_.max_points);
+      scan_matching::Thinned(ToDouble(places_[place].points), options_.max_points);
   for (const Place* old : Shortlist(place, ways_driven_m, may_match)) {
     const scan_matching::CorrelativeMatcher search(options_.search, ToDouble(old->points));
     const scan_matching::CorrelativeMatch match =

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "frontend/loop_closure/drift.h"
+#include "frontend/scan_matching/joined_points.h"
 
 namespace gmapping_spa::loop_closure {
 
@@ -43,7 +44,7 @@ bool RivalSearch::HasRival(const std::vector<SE2>& world_T_nodes, const ScanOfNo
   const double moved_m = way_to(world_T_nodes[record.node]);
   if (moved_m < options_.elsewhere_m) return false;
   const double reach_m = std::min(4.0 * moved_m, options_.max_reach_m);
-  const std::vector<Eigen::Vector2d> points = PositionsOf(JoinScans(
+  const std::vector<Eigen::Vector2d> points = scan_matching::PositionsOf(JoinScans(
       world_T_nodes, scan_of_node, NodesAround(world_T_nodes, record.node, options_.new_reach_m),
       record.node, options_.cell_m));
   scan_matching::CorrelativeMatcher::Options search = options_.search;
@@ -55,9 +56,10 @@ bool RivalSearch::HasRival(const std::vector<SE2>& world_T_nodes, const ScanOfNo
   search.with_covariance = false;
   for (const int place : PlacesAround(world_T_nodes, record.node, world_T_found, reach_m)) {
     const scan_matching::CorrelativeMatcher matcher(
-        search, PositionsOf(JoinScans(world_T_nodes, scan_of_node,
-                                      NodesAround(world_T_nodes, place, options_.old_reach_m),
-                                      place, options_.cell_m)));
+        search,
+        scan_matching::PositionsOf(JoinScans(
+            world_T_nodes, scan_of_node, NodesAround(world_T_nodes, place, options_.old_reach_m),
+            place, options_.cell_m)));
     const scan_matching::CorrelativeMatch match = matcher.Match(
         points, Between(world_T_nodes[place], world_T_found), {reach_m, options_.max_turn_rad});
     if (!match.found) continue;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/loop_closure/verification.h"
+#include "frontend/scan_matching/joined_points.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -61,10 +62,6 @@ constexpr double kLeastKnownPart = 0.1;
 // Within which a pose that was predicted and not found is taken to be right.
 constexpr double kPredicted_m = 0.3;
 
-// No local map is better than this, whatever the number of points.
-constexpr double kFloor_m = 0.01;
-constexpr double kFloor_rad = 0.002;
-
 // Within so small a window two nodes overlap by what the estimate says, more or less.
 constexpr double kSmallWindow_m = 2.5;
 
@@ -80,14 +77,6 @@ bool IsAtBorder(const scan_matching::SearchWindow& window, const SE2& center, co
   const double turn_rad = Between(center, found).theta;
   return shift.cwiseAbs().maxCoeff() > window.linear_m - kBorder_m ||
          std::abs(turn_rad) > window.angular_rad - kBorder_rad;
-}
-
-Eigen::Matrix3d WithFloor(const Eigen::Matrix3d& information) {
-  const Eigen::Matrix3d floor =
-      Eigen::Array3d(kFloor_m, kFloor_m, kFloor_rad).square().matrix().asDiagonal();
-  const Eigen::Matrix3d regular = information + scan_matching::GaussNewton::WeakPrior();
-  const Eigen::Matrix3d floored = (regular.inverse() + floor).inverse();
-  return 0.5 * (floored + floored.transpose());
 }
 
 }  // namespace
@@ -240,9 +229,9 @@ ClosureRecord Verifier::Compare(const std::vector<SE2>& world_T_nodes,
   }
 
   const scan_matching::CorrelativeMatcher search(
-      SearchOptions(window),
-      PositionsOf(JoinScans(world_T_nodes, scan_of_node, old_nodes, old, options_.cell_m)));
-  const std::vector<Eigen::Vector2d> positions = PositionsOf(points);
+      SearchOptions(window), scan_matching::PositionsOf(JoinScans(
+                                 world_T_nodes, scan_of_node, old_nodes, old, options_.cell_m)));
+  const std::vector<Eigen::Vector2d> positions = scan_matching::PositionsOf(points);
   scan_matching::CorrelativeMatch coarse = search.Match(positions, expected, window);
   if (!coarse.found) return decided(Verdict::kNoMatch);
   if (IsAtBorder(window, expected, coarse.map_T_scan)) {
@@ -268,7 +257,7 @@ ClosureRecord Verifier::Compare(const std::vector<SE2>& world_T_nodes,
       std::abs(shift.theta) > options_.max_shift_rad) {
     return decided(Verdict::kUnstable);
   }
-  record.information = WithFloor(options_.information_gain * fine.world_information);
+  record.information = WithMapErrors(options_.information_gain * fine.world_information);
 
   record.overlap = Overlap(map, points, fine.world_T_robot);
   const double known = record.overlap * static_cast<double>(points.size());

@@ -88,6 +88,9 @@ class ParticleFilter {
   // this scan alone. The edge of the graph says next to nothing.
   void BeginPiece(const sensor::LaserScan& scan, const backend::SE2& guess);
 
+  // All particles go on as copies of this one.
+  void KeepOnly(int particle) { Duplicate(std::vector<int>(particles_.size(), particle)); }
+
   // Index of the particle whose whole path explains the scans best.
   int BestParticle() const;
   const std::vector<Particle>& particles() const { return particles_; }

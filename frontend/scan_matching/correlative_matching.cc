@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <queue>
 #include <tuple>
 #include <vector>
@@ -70,23 +69,24 @@ double CorrelativeMatcher::AngularStep(const std::vector<Eigen::Vector2d>& point
   return std::min(options_.field.resolution_m / farthest_m, kMaxAngularStep);
 }
 
-CorrelativeMatch CorrelativeMatcher::Match(const std::vector<Eigen::Vector2d>& points,
-                                           const SE2& initial_map_T_scan,
-                                           const SearchWindow& window) const {
+// The middle of the window and its steps.
+PoseLattice CorrelativeMatcher::LatticeOf(const std::vector<Eigen::Vector2d>& points,
+                                          const SE2& initial_map_T_scan,
+                                          const SearchWindow& window) const {
   CHECK_LE(window.angular_rad, std::numbers::pi);
-  CorrelativeMatch match;
-  match.map_T_scan = initial_map_T_scan;
-  if (points.empty()) return match;
-
   const double resolution_m = options_.field.resolution_m, angular_step = AngularStep(points);
-  const PoseLattice lattice(
+  return PoseLattice(
       {initial_map_T_scan, resolution_m, angular_step, StepsToCover(window.linear_m, resolution_m),
        StepsToCover(window.angular_rad, angular_step)},
       &pyramid_, points);
-  const double full_sum = 255.0 * static_cast<double>(points.size());
+}
 
+// Blocks come in order of their bounds: the first pose is the best one, the first pose outside of
+// its peak the second, and so on.
+std::vector<PoseBlock> CorrelativeMatcher::BestBlocks(const PoseLattice& lattice, double full_sum,
+                                                      int count) const {
   std::priority_queue<PoseBlock, std::vector<PoseBlock>, ComesAfter> queue;
-  // A sum below this is neither that of a match nor of a second peak that matters.
+  // A sum below this is neither that of a match nor of a further peak that matters.
   double floor = options_.runner_up_floor * options_.min_score * full_sum;
   const auto push_parts = [&](const PoseBlock& block) {
     lattice.ForEachPart(block, [&](const PoseBlock& part) {
@@ -95,34 +95,62 @@ CorrelativeMatch CorrelativeMatcher::Match(const std::vector<Eigen::Vector2d>& p
   };
   for (const PoseBlock& root : lattice.Roots()) push_parts(root);
 
-  // Blocks come in order of their bounds: the first pose is the best one, the first pose outside
-  // its peak the second.
-  std::optional<ScorePeak> peak;
-  while (!queue.empty()) {
+  std::vector<PoseBlock> best;
+  std::vector<ScorePeak> peaks;
+  while (!queue.empty() && static_cast<int>(best.size()) < count) {
     const PoseBlock block = queue.top();
     queue.pop();
-    const double score = block.bound / full_sum;
-    if (score < (match.found ? match.runner_up_score : options_.min_score)) break;
-    if (peak && peak->HoldsAllOf(block)) continue;
+    if (block.bound < (best.empty() ? options_.min_score * full_sum : floor)) break;
+    if (std::any_of(peaks.begin(), peaks.end(),
+                    [&](const ScorePeak& peak) { return peak.HoldsAllOf(block); })) {
+      continue;
+    }
     if (block.level > 0) {
       push_parts(block);
-    } else if (match.found) {
-      match.runner_up_score = score;
-      match.runner_up_map_T_scan = lattice.Pose(block);
-      break;
-    } else {
-      match.found = true;
-      match.map_T_scan = match.runner_up_map_T_scan = lattice.Pose(block);
-      match.score = score;
-      match.runner_up_score = options_.runner_up_floor * score;
-      floor = options_.runner_up_floor * block.bound;
-      peak.emplace(&lattice, block, options_.peak_separation_m, options_.peak_separation_rad);
-      if (options_.with_covariance) {
-        match.covariance = peak->Covariance(options_.independent_points / full_sum);
-      }
+      continue;
     }
+    if (best.empty()) floor = options_.runner_up_floor * block.bound;
+    best.push_back(block);
+    peaks.emplace_back(&lattice, block, options_.peak_separation_m, options_.peak_separation_rad);
+  }
+  return best;
+}
+
+CorrelativeMatch CorrelativeMatcher::Match(const std::vector<Eigen::Vector2d>& points,
+                                           const SE2& initial_map_T_scan,
+                                           const SearchWindow& window) const {
+  CorrelativeMatch match;
+  match.map_T_scan = initial_map_T_scan;
+  if (points.empty()) return match;
+  const PoseLattice lattice = LatticeOf(points, initial_map_T_scan, window);
+  const double full_sum = 255.0 * static_cast<double>(points.size());
+  const std::vector<PoseBlock> best = BestBlocks(lattice, full_sum, 2);
+  if (best.empty()) return match;
+  match.found = true;
+  match.map_T_scan = lattice.Pose(best.front());
+  match.score = best.front().bound / full_sum;
+  match.runner_up_map_T_scan = lattice.Pose(best.back());
+  match.runner_up_score =
+      best.size() > 1 ? best.back().bound / full_sum : options_.runner_up_floor * match.score;
+  if (options_.with_covariance) {
+    const ScorePeak peak(&lattice, best.front(), options_.peak_separation_m,
+                         options_.peak_separation_rad);
+    match.covariance = peak.Covariance(options_.independent_points / full_sum);
   }
   return match;
+}
+
+std::vector<ScoredPose> CorrelativeMatcher::Peaks(const std::vector<Eigen::Vector2d>& points,
+                                                  const SE2& initial_map_T_scan,
+                                                  const SearchWindow& window, int count) const {
+  std::vector<ScoredPose> peaks;
+  if (points.empty()) return peaks;
+  const PoseLattice lattice = LatticeOf(points, initial_map_T_scan, window);
+  const double full_sum = 255.0 * static_cast<double>(points.size());
+  for (const PoseBlock& block : BestBlocks(lattice, full_sum, count)) {
+    peaks.push_back({lattice.Pose(block), block.bound / full_sum});
+  }
+  return peaks;
 }
 
 }  // namespace gmapping_spa::scan_matching

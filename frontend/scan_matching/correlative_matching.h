@@ -9,6 +9,7 @@
 #include "backend/se2.h"
 #include "frontend/scan_matching/field_pyramid.h"
 #include "frontend/scan_matching/likelihood_field.h"
+#include "frontend/scan_matching/pose_lattice.h"
 
 namespace gmapping_spa::scan_matching {
 
@@ -31,6 +32,11 @@ struct CorrelativeMatch {
   // distances the value of a point is 1 - d^2 / 2 sigma^2: the exponent is the log likelihood of so
   // many points, with a loss that saturates.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
+
+struct ScoredPose {
+  backend::SE2 map_T_scan;
+  double score = 0.0;  // as of CorrelativeMatch
 };
 
 // Finds in a window the pose at which the points of a scan fit those of a reference best. It is
@@ -65,11 +71,22 @@ class CorrelativeMatcher {
   CorrelativeMatch Match(const std::vector<Eigen::Vector2d>& points,
                          const backend::SE2& initial_map_T_scan, const SearchWindow& window) const;
 
+  // The best poses of the window, each outside of the peaks of the better ones, the best first: at
+  // most `count`, of scores down to runner_up_floor times that of the best, which reaches
+  // min_score.
+  std::vector<ScoredPose> Peaks(const std::vector<Eigen::Vector2d>& points,
+                                const backend::SE2& initial_map_T_scan, const SearchWindow& window,
+                                int count) const;
+
   // The step in angle by which the farthest point moves one cell (Olson 2009), but at most 0.05. In
   // radians. Precondition: no point is farther away than 10000 cells.
   double AngularStep(const std::vector<Eigen::Vector2d>& points) const;
 
  private:
+  PoseLattice LatticeOf(const std::vector<Eigen::Vector2d>& points,
+                        const backend::SE2& initial_map_T_scan, const SearchWindow& window) const;
+  std::vector<PoseBlock> BestBlocks(const PoseLattice& lattice, double full_sum, int count) const;
+
   Options options_;
   FieldPyramid pyramid_;
 };

@@ -26,6 +26,13 @@ struct ScanPoint {
   double normal_y = 0.0;
   double normal_variance = 0.0;  // rad^2, from the noise of the ranges
   double in_sweep = 0.0;         // when it was measured: sensor::PlaceInSweep
+
+  // For sessions (frontend/session).
+  template <typename Archive>
+  void serialize(Archive& archive) {
+    archive(x_m, y_m, back_x, back_y, range_m, weight, normal_x, normal_y, normal_variance,
+            in_sweep);
+  }
 };
 using ScanPoints = std::vector<ScanPoint>;
 

@@ -2,6 +2,7 @@
 #include "frontend/sensor/scan_archive.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "frontend/sensor/deskew.h"
 
@@ -30,8 +31,8 @@ Beam Unpacked(double angle_rad, float packed) {
 }  // namespace
 
 int ScanArchive::Add(const LaserScan& scan, const Eigen::Vector3d& velocity) {
-  Entry entry{scan.index, scan.stamp_s, scan.odom_T_robot, scan.robot_T_laser,
-              nullptr,    {},           velocity,          scan.sweep_s};
+  Entry entry{scan.index, scan.stamp_s, scan.odom_T_robot, scan.robot_T_laser, nullptr,
+              {},         velocity,     scan.sweep_s,      scan.has_odometry};
   entry.ranges_m.reserve(scan.beams.size());
   for (const Beam& beam : scan.beams) entry.ranges_m.push_back(Packed(beam));
 
@@ -48,7 +49,7 @@ int ScanArchive::Add(const LaserScan& scan, const Eigen::Vector3d& velocity) {
     entry.angles_rad = std::make_shared<const std::vector<double>>(std::move(angles_rad));
   }
   // Half of the sweep comes after the stamp, or all of it.
-  if (!scans_.empty()) {
+  if (size() > (sessions_.empty() ? 0 : sessions_.back().end)) {
     Entry& before = scans_.back();
     before.velocity = before.sweep_s > 0.0 ? velocity : 0.5 * (latest_velocity_ + velocity);
   }
@@ -57,15 +58,37 @@ int ScanArchive::Add(const LaserScan& scan, const Eigen::Vector3d& velocity) {
   return size() - 1;
 }
 
-LaserScan ScanArchive::Get(int position) const {
+void ScanArchive::BeginSession() {
+  sessions_.push_back({size(), sweep_s_});
+  sweep_s_ = 0.0;
+}
+
+LaserScan ScanArchive::Measured(int position) const {
   const Entry& entry = scans_.at(position);
   LaserScan scan{entry.index, entry.stamp_s, entry.odom_T_robot, entry.robot_T_laser, {}};
+  scan.has_odometry = entry.has_odometry;
   scan.sweep_s = entry.sweep_s;
   scan.beams.reserve(entry.ranges_m.size());
   for (std::size_t k = 0; k < entry.ranges_m.size(); ++k) {
     scan.beams.push_back(Unpacked((*entry.angles_rad)[k], entry.ranges_m[k]));
   }
-  return Deskew(std::move(scan), sweep_s_ * entry.velocity);
+  return scan;
+}
+
+LaserScan ScanArchive::Get(int position) const {
+  const auto session = std::find_if(sessions_.begin(), sessions_.end(),
+                                    [=](const Session& one) { return position < one.end; });
+  const double sweep_s = session == sessions_.end() ? sweep_s_ : session->sweep_s;
+  return Deskew(Measured(position), sweep_s * scans_[position].velocity);
+}
+
+std::vector<std::size_t> ScanArchive::Rows() const {
+  std::vector<std::size_t> positions(scans_.size()), rows(scans_.size());
+  std::iota(positions.begin(), positions.end(), 0);
+  std::sort(positions.begin(), positions.end(),
+            [this](std::size_t a, std::size_t b) { return scans_[a].index < scans_[b].index; });
+  for (std::size_t row = 0; row < rows.size(); ++row) rows[positions[row]] = row;
+  return rows;
 }
 
 bool ScanArchive::Holds(int position, const LaserScan& scan) const {
@@ -73,7 +96,8 @@ bool ScanArchive::Holds(int position, const LaserScan& scan) const {
   const std::vector<double>& angles_rad = *entry.angles_rad;
   if (entry.index != scan.index || entry.stamp_s != scan.stamp_s ||
       entry.odom_T_robot != scan.odom_T_robot || entry.robot_T_laser != scan.robot_T_laser ||
-      entry.sweep_s != scan.sweep_s || entry.ranges_m.size() != scan.beams.size()) {
+      entry.sweep_s != scan.sweep_s || entry.has_odometry != scan.has_odometry ||
+      entry.ranges_m.size() != scan.beams.size()) {
     return false;
   }
   for (std::size_t k = 0; k < scan.beams.size(); ++k) {

@@ -24,10 +24,19 @@ class ScanArchive {
   // of before as well.
   void set_sweep_s(double sweep_s) { sweep_s_ = sweep_s; }
 
+  // Scans to come are of another run: those up to here keep the sweep that was found for them.
+  void BeginSession();
+
   LaserScan Get(int position) const;
+
+  // As Add was given it, but for the rounding: not deskewed.
+  LaserScan Measured(int position) const;
 
   double StampOf(int position) const { return scans_.at(position).stamp_s; }
   std::int64_t IndexOf(int position) const { return scans_.at(position).index; }
+
+  // Of each scan its place in the order of the input, by index.
+  std::vector<std::size_t> Rows() const;
 
   // Whether Add was given this scan for the position.
   bool Holds(int position, const LaserScan& scan) const;
@@ -37,7 +46,7 @@ class ScanArchive {
   // For sessions (frontend/session).
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(scans_, latest_velocity_, sweep_s_);
+    archive(scans_, latest_velocity_, sweep_s_, sessions_);
   }
 
  private:
@@ -50,15 +59,27 @@ class ScanArchive {
     std::vector<float> ranges_m;  // negative: no return up to there; 0: invalid
     Eigen::Vector3d velocity;
     double sweep_s;  // as the log tells it
+    bool has_odometry;
 
     template <typename Archive>
     void serialize(Archive& archive) {
-      archive(index, stamp_s, odom_T_robot, robot_T_laser, angles_rad, ranges_m, velocity, sweep_s);
+      archive(index, stamp_s, odom_T_robot, robot_T_laser, angles_rad, ranges_m, velocity, sweep_s,
+              has_odometry);
     }
   };
   std::vector<Entry> scans_;
   Eigen::Vector3d latest_velocity_ = Eigen::Vector3d::Zero();
   double sweep_s_ = 0.0;
+  struct Session {  // that is over
+    int end;        // one past its last scan
+    double sweep_s;
+
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(end, sweep_s);
+    }
+  };
+  std::vector<Session> sessions_;
 };
 
 }  // namespace gmapping_spa::sensor

@@ -14,6 +14,7 @@
 #include <tuple>
 
 #include "backend/graph/pose_graph.h"
+#include "backend/graph/trajectory_io.h"
 #include "backend/se2.h"
 #include "frontend/map/tile.h"
 #include "frontend/sensor/laser_scan.h"
@@ -24,6 +25,11 @@ namespace gmapping_spa::session {
 template <typename Archive>
 void serialize(Archive& archive, backend::SE2& pose) {
   archive(pose.x, pose.y, pose.theta);
+}
+
+template <typename Archive>
+void serialize(Archive& archive, backend::StampedPose& pose) {
+  archive(pose.stamp_s, pose.world_T_robot);
 }
 
 template <typename Archive>

@@ -17,7 +17,6 @@
 namespace gmapping_spa::session {
 namespace {
 
-constexpr std::string_view kMagic = "gmapping_spa session\n";
 constexpr int kCompressionLevel = 1;  // a run waits for no more
 // Maps are mostly empty cells, but not as empty as what somebody made up to fill the memory.
 constexpr std::uint64_t kMostCompression = 1000;

@@ -8,12 +8,16 @@
 #include <map>
 #include <ostream>
 #include <string>
+#include <string_view>
 
 namespace gmapping_spa::session {
 
 // Raised with every change of what SaveState writes. Those of before are read as long as
 // ReadSession says so.
 inline constexpr std::uint32_t kSessionVersion = 1;
+
+// What a file begins with.
+inline constexpr std::string_view kMagic = "gmapping_spa session\n";
 
 struct SessionInfo {
   std::string program;                       // its version

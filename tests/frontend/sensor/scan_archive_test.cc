@@ -104,5 +104,18 @@ TEST(ScanArchive, DeskewsAllScansOnceTheDurationOfASweepIsKnown) {
   EXPECT_NEAR(archive.Get(1).beams[2].angle_rad, scan.beams[2].angle_rad, 1e-9);
 }
 
+TEST(ScanArchive, ScansOfASessionBeforeKeepItsSweepAndItsVelocity) {
+  ScanArchive archive;
+  const Eigen::Vector3d turning(0, 0, 1.0), fast(0, 0, 4.0);
+  archive.Add(Fan(5, 0.0, 2.0), turning);
+  archive.set_sweep_s(0.1);
+  const LaserScan of_before = archive.Get(0);
+  archive.BeginSession();
+  archive.Add(Fan(5, 0.0, 2.0), fast);
+  archive.set_sweep_s(0.5);
+  ExpectSame(archive.Get(0), of_before);
+  EXPECT_GT(std::abs(archive.Get(1).beams[0].angle_rad - archive.Get(0).beams[0].angle_rad), 0.5);
+}
+
 }  // namespace
 }  // namespace gmapping_spa::sensor

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "frontend/localization/place_guesses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "frontend/scan_matching/joined_points.h"
+#include "frontend/scan_matching/seen_through.h"
+
+namespace gmapping_spa::localization {
+
+using backend::SE2;
+using scan_matching::Evidence;
+
+namespace {
+
+// The middles of all occupied cells, in m.
+std::vector<Eigen::Vector2d> SurfaceOf(const map::OccupancyGrid& map) {
+  std::vector<Eigen::Vector2d> points;
+  const map::OccupancyGrid::Extent extent = map.KnownExtent();
+  for (int y = extent.min.y; y < extent.max.y; ++y) {
+    for (int x = extent.min.x; x < extent.max.x; ++x) {
+      if (map.OccupiedBits({x, y}) & 1u) {
+        points.emplace_back((x + 0.5) * map.resolution_m(), (y + 0.5) * map.resolution_m());
+      }
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+double PlaceGuess::Support() const {
+  const double all = evidence.all();
+  return all > 0.0 ? (evidence.explained - evidence.contradicted) / all : 0.0;
+}
+
+PlaceGuesses::PlaceGuesses(const Options& options, const map::OccupancyGrid* map)
+    : options_(options), map_(map), gauss_newton_(options.gauss_newton) {
+  const map::OccupancyGrid::Extent extent = map->KnownExtent();
+  const double resolution_m = map->resolution_m();
+  middle_ = {0.5 * (extent.min.x + extent.max.x) * resolution_m,
+             0.5 * (extent.min.y + extent.max.y) * resolution_m, 0.0};
+  reach_m_ =
+      0.5 * std::max(extent.max.x - extent.min.x, extent.max.y - extent.min.y) * resolution_m;
+  scan_matching::CorrelativeMatcher::Options search;
+  search.field = {.resolution_m = options.cell_m, .sigma_m = options.cell_m};
+  search.pyramid_levels = 7;
+  search.min_score = options.min_score;
+  search.peak_separation_m = options.separation_m;
+  search.peak_separation_rad = options.separation_rad;
+  search.runner_up_floor = options.floor;
+  search.with_covariance = false;
+  matcher_ = std::make_unique<scan_matching::CorrelativeMatcher>(search, SurfaceOf(*map));
+}
+
+Evidence PlaceGuesses::EvidenceAt(const Views& views, const SE2& map_T_robot) const {
+  Evidence sum;
+  for (const Views::View& view : views.views()) {
+    const SE2 map_T_view = map_T_robot * Between(views.odom_T_robot(), view.odom_T_robot);
+    Evidence one =
+        scan_matching::EndpointModel(options_.endpoint, map_, &view.points).Evaluate(map_T_view);
+    const double behind = std::min(
+        one.unknown, scan_matching::CountSeenThrough(*map_, view.points, map_T_view).into_unseen);
+    sum.explained += one.explained;
+    sum.contradicted += one.contradicted + behind;
+    sum.unknown += one.unknown - behind;
+    sum.at_surface += one.at_surface;
+  }
+  return sum;
+}
+
+Eigen::Matrix3d PlaceGuesses::InformationAt(const Views& views, const SE2& map_T_robot) const {
+  return gauss_newton_.InformationAt(*map_, views.Joined(options_.align_cell_m), map_T_robot);
+}
+
+std::vector<PlaceGuess> PlaceGuesses::Find(const Views& views) const {
+  const std::vector<Eigen::Vector2d> points = scan_matching::Thinned(
+      scan_matching::PositionsOf(views.Joined(options_.cell_m)), options_.max_points);
+  const scan_matching::ScanPoints joined = views.Joined(options_.align_cell_m);
+  std::vector<PlaceGuess> guesses;
+  for (const scan_matching::ScoredPose& peak :
+       matcher_->Peaks(points, middle_, {reach_m_, std::numbers::pi}, options_.max_guesses)) {
+    const SE2 aligned =
+        gauss_newton_
+            .Align(*map_, joined, peak.map_T_scan, backend::InformationFromSigmas(0.2, 0.1))
+            .world_T_robot;
+    guesses.push_back({aligned, peak.score, EvidenceAt(views, aligned)});
+  }
+  std::stable_sort(guesses.begin(), guesses.end(), [](const PlaceGuess& a, const PlaceGuess& b) {
+    return a.Support() > b.Support();
+  });
+  return guesses;
+}
+
+}  // namespace gmapping_spa::localization
