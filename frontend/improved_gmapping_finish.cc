@@ -6,7 +6,7 @@ namespace gmapping_spa::frontend {
 
 FinalOptimization ImprovedGmapping::MakeFinalOptimization(
     const FinalOptimization::Options& options) {
-  return {
+  return FinalOptimization(
       options,
       {.scans = &archive_,
        .node_scans = &node_scans_,
@@ -14,17 +14,17 @@ FinalOptimization ImprovedGmapping::MakeFinalOptimization(
        .grid = options_.filter.grid,
        .insertion = options_.filter.insertion,
        .pieces = &loop_closer_.pieces(),
-       .is_lost = &is_lost_,
+       .known = session_ && session_->is_fixed() ? &session_->known().trajectory : nullptr,
+       .drawn_scans = [this] { return DrawnScans(DrawnInTheEnd()); },
        .loop_closer = options_.close_loops ? &loop_closer_ : nullptr,
-       .optimize = [this](const backend::PoseGraph& graph) { return graph_thread_.Run(graph); }}};
+       .optimize = [this](const backend::PoseGraph& graph) { return graph_thread_.Run(graph); }});
 }
 
 SlamResult ImprovedGmapping::FinishWith(const FinalOptimization::Options& options) {
   backend::PoseGraphRecorder path;
   EmitPath(&path);
   SlamResult estimate = MakeFinalOptimization(options).Finish(path.graph());
-  ReportPieces(
-      loop_closer_.pieces().Largest(static_cast<int>(node_scans_.size()), loop_closer_.closures()));
+  ReportPieces(DrawnInTheEnd());
   ReportClosures(backend::PosesOf(estimate.graph));
   return estimate;
 }
