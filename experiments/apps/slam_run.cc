@@ -37,7 +37,6 @@ SlamRun::SlamRun(const SlamOptions& options)
 }
 
 void SlamRun::Load(const session::Session& session, const std::string& name) {
-  gmapping_.KeepStateOf(optimizer_);
   try {
     session::LoadState(session.state, &gmapping_);
   } catch (const std::exception& error) {
@@ -49,6 +48,7 @@ void SlamRun::Load(const session::Session& session, const std::string& name) {
 void SlamRun::GoOnInMapOf(const session::Session& session, const std::string& name,
                           frontend::MapSession::Use use) {
   CheckResultFlag("resolution_m", session.info.flags, name);
+  gmapping_.KeepStateOf(optimizer_);
   Load(session, name);
   if (counts().updates == 0) throw std::runtime_error(name + ": expected a map, found no scan");
   gmapping_.BeginSession(use);
@@ -56,6 +56,7 @@ void SlamRun::GoOnInMapOf(const session::Session& session, const std::string& na
 
 void SlamRun::Resume(const session::Session& session, const std::string& name) {
   CheckResultFlags(session.info.flags, name);
+  gmapping_.KeepStateOf(optimizer_);
   Load(session, name);
   stopwatch_.Add(session.info.processing_s);
   session_name_ = name;

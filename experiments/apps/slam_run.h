@@ -62,7 +62,8 @@ class SlamRun {
               OutputFiles* files);
 
   // Takes over the state of a session that was made with the flags of this program, to edit it; no
-  // scans are asked for again. Throws std::runtime_error with one line when it does not fit.
+  // scans are asked for again, and the back end may be another one. Throws std::runtime_error with
+  // one line when it does not fit.
   void Load(const session::Session& session, const std::string& name);
   frontend::ImprovedGmapping& gmapping() { return gmapping_; }
   // Writes the files of Finish of closures that were edited (ImprovedGmapping::FinishEdited);

@@ -128,6 +128,22 @@ std::vector<UnprovenClosure> LoopCloser::Unproven(const std::vector<SE2>& estima
                           options_.drift, {world_T_nodes, ways_driven}, closures_, records_);
 }
 
+void LoopCloser::TakeBackLocalization() {
+  const auto latest =
+      std::find_if(records_.rbegin(), records_.rend(),
+                   [](const ClosureRecord& record) { return record.source == Source::kLocalized; });
+  if (latest == records_.rend()) return;
+  const int piece = pieces_.PieceOf(latest->node);
+  for (std::size_t position = records_.rend() - latest - 1; position < records_.size();
+       ++position) {
+    ClosureRecord& record = records_[position];
+    if (pieces_.PieceOf(record.node) != piece || pieces_.PieceOf(record.old_node) == piece) {
+      continue;
+    }
+    if (Release(position)) record.verdict = Verdict::kInlierRatio;
+  }
+}
+
 int LoopCloser::SearchNear(const std::vector<SE2>& world_T_nodes,
                            const std::vector<double>& ways_driven, const ScanOfNode& scan_of_node,
                            int node) {

@@ -64,6 +64,10 @@ class LoopCloser {
     Accept(records_.size() - 1);
   }
 
+  // Rejects the latest closure of a robot that was found in the map of before, and those that
+  // joined its piece with others since.
+  void TakeBackLocalization();
+
   // Releases those accepted closures that an optimized graph with all of them contradicts most, and
   // accepts those released that it agrees with. Returns the number of both: optimize anew, unless
   // zero. `world_T_nodes`: as optimized with closures().
