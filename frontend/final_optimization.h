@@ -63,6 +63,9 @@ class FinalOptimization {
   // `path` is the graph without closures.
   SlamResult Finish(backend::PoseGraph path);
 
+  // world_T_node, optimized with the closures that there are.
+  std::vector<backend::SE2> OptimizedNodes(const backend::PoseGraph& path) const;
+
  private:
   bool Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const;
   void OptimizeAndReview(const backend::PoseGraph& path, backend::PoseGraph* graph) const;

@@ -22,7 +22,7 @@ for step in "${steps[@]}"; do
     tidy) tests/check_tidy.sh ;;
     fuzz)
       experiments/install_packages.sh fuzz
-      tests/fuzz.sh 12  # each of ten readers
+      tests/fuzz.sh 12  # each reader
       ;;
     packages)
       experiments/install_packages.sh packages

@@ -12,7 +12,9 @@
 
 namespace gmapping_spa::apps {
 
-// Comma-separated values with a header: a line for every candidate that was looked at.
+// Comma-separated values with a header: a line for every candidate that was looked at. `found` is
+// what the program says of it, `verdict` what counts: they differ where somebody knew better
+// (closure_rows.h). I11 ... I33 is the information of x_m, y_m, theta_rad, in the order of .g2o.
 void WriteClosures(const std::vector<loop_closure::ClosureRecord>& records,
                    const std::vector<backend::Node>& nodes, std::ostream& out);
 

@@ -108,7 +108,8 @@ int main(int argc, char** argv) {
       argc, argv,
       "makes a map and a trajectory from a sensor log.\n"
       "Usage: gmapping_spa --log=FILE --output_dir=DIR [--flagfile=FILE] [flags]\n"
-      "Writes trajectory.tum, map.pgm, map.yaml, map.png, graph.g2o, loop_closures.csv and "
-      "run.json.",
+      "Writes the trajectory (trajectory.tum, trajectory.kitti with times.txt), the map (map.pgm "
+      "with map.yaml, map.png, map_cells.png), the pose graph (graph.g2o with graph.stamps), "
+      "loop_closures.csv and run.json.",
       gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);
 }

@@ -73,6 +73,19 @@ class LoopCloser {
   // zero. `world_T_nodes`: as optimized with closures().
   int Review(const std::vector<backend::SE2>& world_T_nodes);
 
+  // Takes over what somebody made of records(): a record stands for the one of the same nodes and
+  // source, in order; those that are left over are new. An accepted one without its own is rejected
+  // by hand. What is decided by hand stays as it is: an accepted closure is an edge that no loss
+  // weighs and Review does not release; near a rejected one none is accepted again.
+  // Returns the number of accepted ones that had none.
+  int Edit(const std::vector<ClosureRecord>& edited);
+
+  // How two nodes lie to each other, by their scans: in the window of the drift, or else in the
+  // largest one. Verdict kUnconfirmed where they fit, or kRival where they fit elsewhere, too.
+  // `estimate`: world_T_node of all nodes.
+  ClosureRecord Measure(const std::vector<backend::SE2>& estimate, const ScanOfNode& scan_of_node,
+                        int old_node, int node) const;
+
   // The accepted ones, as edges of the graph.
   const std::vector<backend::Edge>& closures() const { return closures_; }
 
@@ -98,6 +111,7 @@ class LoopCloser {
   int Follow(const GlobalCloser::Decisions& decisions);
   double ConfirmBeyond(const ClosureRecord& a, const ClosureRecord& b) const;
   bool IsClosed(const ClosureRecord& record) const;
+  bool IsRejectedByHand(const ClosureRecord& record) const;
   void Accept(std::size_t position);
   bool Release(std::size_t position);
 

@@ -5,6 +5,7 @@
 
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace gmapping_spa::apps {
@@ -29,6 +30,18 @@ std::vector<ClosureRecord> RecordsOf(const std::vector<Verdict>& verdicts) {
   return records;
 }
 
+TEST(WriteClosures, TellsWhatWasFoundFromWhatSomebodyDecided) {
+  ClosureRecord overruled, added;
+  overruled.is_by_hand = added.is_by_hand = true;
+  overruled.verdict = Verdict::kRejected;
+  overruled.overruled_verdict = added.verdict = Verdict::kAccepted;
+  added.source = loop_closure::Source::kHand;
+  std::ostringstream out;
+  WriteClosures({overruled, added}, Nodes(1), out);
+  EXPECT_NE(out.str().find(",near,accepted,rejected\n"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find(",hand,,accepted\n"), std::string::npos) << out.str();
+}
+
 TEST(WriteClosures, WritesALineForEachCandidate) {
   ClosureRecord record;
   record.old_node = 1;
@@ -43,6 +56,7 @@ TEST(WriteClosures, WritesALineForEachCandidate) {
   record.mahalanobis_sq = 2.25;
   record.old_T_node = {-1.25, 0.5, 0.0625};
   record.source = loop_closure::Source::kFollowed;
+  record.information.diagonal() << 100, 200, 0.1;
   record.verdict = Verdict::kAccepted;
   ClosureRecord refused;
   refused.node = 3;
@@ -52,11 +66,12 @@ TEST(WriteClosures, WritesALineForEachCandidate) {
   EXPECT_EQ(out.str(),
             "old_node,node,old_stamp_s,stamp_s,path_length_m,distance_m,score,runner_up_score,"
             "overlap,inlier_ratio,"
-            "mutual_inlier_ratio,mahalanobis_sq,x_m,y_m,theta_rad,source,verdict\n"
+            "mutual_inlier_ratio,mahalanobis_sq,x_m,y_m,theta_rad,I11,I12,I13,I22,I23,I33,source,"
+            "found,verdict\n"
             "1,4,1000000000.500000,1000000002.000000,48.250,1.500,0.750,0.500,0.625,0.875,0.750,"
-            "2.250,-1.2500,0.5000,0.0625,followed,accepted\n"
+            "2.250,-1.25,0.5,0.0625,100,0,0,200,0,0.1,followed,accepted,accepted\n"
             "0,3,1000000000.000000,1000000001.500000,0.000,0.000,0.000,0.000,0.000,0.000,0.000,"
-            "0.000,0.0000,0.0000,0.0000,near,overlap\n");
+            "0.000,0,0,0,0,0,0,0,0,0,near,overlap,overlap\n");
 }
 
 TEST(WriteClosures, WritesTheHeaderAloneWithoutCandidates) {
