@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs the packages of Debian 12 or Ubuntu 24.04 that the project needs, where they are missing and
 # this user may.
-#   install_packages.sh [checks] [docs] [experiments] [fuzz] [packages] [python] [slurm]
+#   install_packages.sh [checks] [docs] [experiments] [fuzz] [packages] [python] [ros] [slurm]
 # checks: formatting and clang-tidy; docs: the documentation as a site; experiments: studies and their
 # reports; fuzz: Clang with libFuzzer; packages: what makes Debian packages and tests them; python: the Python
-# module and its example; slurm: a Slurm on this machine, to test studies on clusters.
+# module and its example; ros: the node for ROS 1 and its test; slurm: a Slurm on this machine, to test studies on clusters.
 set -euo pipefail
 
 packages=(
@@ -31,9 +31,16 @@ for option in "$@"; do
     fuzz) packages+=(clang libclang-rt-dev) ;;
     packages) packages+=(dpkg-dev file groff-base man-db mmdebstrap) ;;
     python) packages+=(pybind11-dev python3-dev python3-matplotlib python3-numpy python3-venv) ;;
+    ros)
+      # Ubuntu has ROS in archives of its own only.
+      packages+=(libdiagnostic-msgs-dev libnav-msgs-dev libroscpp-dev libsensor-msgs-dev libstd-srvs-dev
+        libtf2-msgs-dev libtf2-ros-dev libvisualization-msgs-dev python3-diagnostic-msgs python3-nav-msgs
+        python3-numpy python3-rosbag python3-roslaunch python3-rospy python3-std-srvs python3-tf2-msgs
+        python3-visualization-msgs)
+      ;;
     slurm) packages+=(munge slurm-client slurmctld slurmd) ;;
     *)
-      echo "install_packages.sh: expected 'checks', 'docs', 'experiments', 'fuzz', 'packages', 'python' or 'slurm', found '$option'" >&2
+      echo "install_packages.sh: expected 'checks', 'docs', 'experiments', 'fuzz', 'packages', 'python', 'ros' or 'slurm', found '$option'" >&2
       exit 1
       ;;
   esac

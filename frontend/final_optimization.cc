@@ -51,6 +51,12 @@ SlamResult FinalOptimization::Finish(backend::PoseGraph path) {
   return {std::move(graph), std::move(trajectory), std::move(map), std::move(is_placed)};
 }
 
+std::vector<SE2> FinalOptimization::OptimizedNodes(const backend::PoseGraph& path) const {
+  backend::PoseGraph graph = path;
+  Optimize(path, &graph);
+  return backend::PosesOf(graph);
+}
+
 backend::Trajectory FinalOptimization::FilledTrajectory(const backend::PoseGraph& graph) const {
   backend::Trajectory trajectory = run_.scan_poses->Fill(backend::PosesOf(graph));
   if (run_.known) std::copy(run_.known->begin(), run_.known->end(), trajectory.begin());

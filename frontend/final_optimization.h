@@ -51,7 +51,7 @@ class FinalOptimization {
     // Poses of the first scans that are known: they stay, and make the map alone. Null: none.
     const backend::Trajectory* known = nullptr;
     // Of each scan, given the closures there are by then, whether it is drawn; null: all.
-    std::function<std::vector<bool>()> drawn_scans;
+    std::function<std::vector<bool>()> drawn_scans = {};
     loop_closure::LoopCloser* loop_closer;  // null: no closures
     // The back end: nothing when it fails.
     std::function<std::optional<backend::PoseGraph>(const backend::PoseGraph&)> optimize;
@@ -62,6 +62,9 @@ class FinalOptimization {
   // Closes loops everywhere, optimizes, refines, and makes the map from all scans that are drawn.
   // `path` is the graph without closures.
   SlamResult Finish(backend::PoseGraph path);
+
+  // world_T_node, optimized with the closures that there are.
+  std::vector<backend::SE2> OptimizedNodes(const backend::PoseGraph& path) const;
 
  private:
   bool Optimize(const backend::PoseGraph& path, backend::PoseGraph* graph) const;

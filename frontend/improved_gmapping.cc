@@ -237,28 +237,4 @@ SlamResult ImprovedGmapping::FinishEarly() {
   return CurrentResult();
 }
 
-SlamResult ImprovedGmapping::Finish() {
-  if (!options_.make_final_optimization) return FinishEarly();
-  if (const auto optimized = graph_thread_.Finish()) ApplyOptimizedGraph(*optimized);
-  const loop_closure::Pieces& pieces = loop_closer_.pieces();
-  FinalOptimization final_optimization(
-      options_.final_optimization,
-      {.scans = &archive_,
-       .node_scans = &node_scans_,
-       .scan_poses = &scan_poses_,
-       .grid = options_.filter.grid,
-       .insertion = options_.filter.insertion,
-       .pieces = &pieces,
-       .known = session_ && session_->is_fixed() ? &session_->known().trajectory : nullptr,
-       .drawn_scans = [this] { return DrawnScans(DrawnInTheEnd()); },
-       .loop_closer = options_.close_loops ? &loop_closer_ : nullptr,
-       .optimize = [this](const backend::PoseGraph& graph) { return graph_thread_.Run(graph); }});
-  backend::PoseGraphRecorder path;
-  EmitPath(&path);
-  SlamResult estimate = final_optimization.Finish(path.graph());
-  ReportPieces(DrawnInTheEnd());
-  ReportClosures(backend::PosesOf(estimate.graph));
-  return estimate;
-}
-
 }  // namespace gmapping_spa::frontend

@@ -116,6 +116,19 @@ class ImprovedGmapping {
   // The same without the final optimization.
   SlamResult FinishEarly();
 
+  // Takes over what somebody made of the closures; see LoopCloser::Edit.
+  int EditClosures(const std::vector<loop_closure::ClosureRecord>& edited);
+  // world_T_node of all nodes, optimized with the closures as they are.
+  std::vector<backend::SE2> OptimizedNodes();
+  int nodes() const { return static_cast<int>(node_scans_.size()); }
+  // How two nodes lie to each other by their scans, where `world_T_nodes` are those poses; see
+  // LoopCloser::Measure.
+  loop_closure::ClosureRecord MeasureClosure(const std::vector<backend::SE2>& world_T_nodes,
+                                             int old_node, int node) const;
+  // Like Finish, but with the closures as they are: none is looked for, none is let go of. `refine`
+  // as in FinalOptimization::Options.
+  SlamResult FinishEdited(int refine);
+
   const Counts& counts() const { return counts_; }
   const particle_filter::ParticleFilter& filter() const { return filter_; }
   // Of the latest update of the filter; all zero before the second one.
@@ -162,6 +175,8 @@ class ImprovedGmapping {
   void UpdateFilter(const sensor::LaserScan& scan,
                     const std::vector<particle_filter::ParticleFilter::Control>& controls);
   sensor::LaserScan DrawnScanOfNode(int node) const;
+  FinalOptimization MakeFinalOptimization(const FinalOptimization::Options& options);
+  SlamResult FinishWith(const FinalOptimization::Options& options);
   void ReportPieces(const std::vector<bool>& is_drawn);
   void ReportClosures(const std::vector<backend::SE2>& world_T_nodes);
   bool CloseLoops();

@@ -120,10 +120,18 @@ bool ImprovedGmapping::HasTaken(std::int64_t k, const sensor::LaserScan& scan) c
 
 void ImprovedGmapping::LookForRobot(const sensor::LaserScan& scan, const SE2& motion) {
   const int node = static_cast<int>(node_scans_.size()) - 1;
-  const std::optional<loop_closure::ClosureRecord> found =
+  const MapSession::Outcome outcome =
       session_->AddScan(scan, motion, node, Between(odom_T_scan_, odom_T_last_update_));
-  if (!found) return;
-  loop_closer_.Add(*found);
+  if (outcome.closure) {
+    loop_closer_.Add(*outcome.closure);
+  } else if (outcome.taken_back) {
+    loop_closer_.TakeBackLocalization();
+    health_.Report("localization_taken_back", scan.stamp_s,
+                   "what is seen contradicts the map where the robot was found in it: it is looked "
+                   "for anew");
+  } else {
+    return;
+  }
   closure_waits_ = true;
 }
 

@@ -28,19 +28,25 @@ MapSession::MapSession(Use use, Known known) : use_(use), known_(std::move(known
 
 void MapSession::BeginPiece() {
   localizer_->Restart();
-  searches_ = true;
   begin_s_.reset();
 }
 
-std::optional<ClosureRecord> MapSession::AddScan(const sensor::LaserScan& scan, const SE2& motion,
-                                                 int node, const SE2& robot_T_node) {
-  if (!searches_) return std::nullopt;
+MapSession::Outcome MapSession::AddScan(const sensor::LaserScan& scan, const SE2& motion, int node,
+                                        const SE2& robot_T_node) {
   if (!begin_s_) begin_s_ = scan.stamp_s;
-  const std::optional<localization::Located> located = localizer_->AddScan(scan, motion);
-  if (!located) return std::nullopt;
-  searches_ = false;
+  const localization::Localizer::Outcome outcome = localizer_->AddScan(scan, motion);
+  if (outcome.taken_back) {
+    found_.pop_back();
+    return {.closure = std::nullopt, .taken_back = true};
+  }
+  if (!outcome.located) return {};
   found_.push_back({scan.stamp_s, scan.stamp_s - *begin_s_});
-  const SE2 map_T_node = located->map_T_robot * robot_T_node;
+  return {.closure = ClosureAt(*outcome.located, node, robot_T_node)};
+}
+
+ClosureRecord MapSession::ClosureAt(const localization::Located& located, int node,
+                                    const SE2& robot_T_node) const {
+  const SE2 map_T_node = located.map_T_robot * robot_T_node;
   const auto squared_way = [&](const SE2& world_T_old) {
     return (world_T_old.translation() - map_T_node.translation()).squaredNorm();
   };
@@ -53,11 +59,11 @@ std::optional<ClosureRecord> MapSession::AddScan(const sensor::LaserScan& scan, 
   record.old_node = *nearest;
   record.node = node;
   record.distance_m = std::sqrt(squared_way(map_T_old));
-  record.score = located->explained;
-  record.runner_up_score = located->explained - located->margin;
+  record.score = located.explained;
+  record.runner_up_score = located.explained - located.margin;
   record.old_T_node = Between(map_T_old, map_T_node);
   record.information =
-      loop_closure::WithMapErrors(Rotated(located->map_information, map_T_old.theta));
+      loop_closure::WithMapErrors(Rotated(located.map_information, map_T_old.theta));
   record.source = loop_closure::Source::kLocalized;
   record.verdict = loop_closure::Verdict::kUnconfirmed;
   return record;

@@ -64,34 +64,39 @@ class MapSession {
     scan.index += known_.first_index;
     return scan;
   }
-  bool searches() const { return searches_; }
+  bool searches() const { return localizer_->searches(); }
   const std::vector<Found>& found() const { return found_; }
 
-  // The next scan, deskewed, and the motion since the one before. Once the robot is found: the
-  // closure between `node`, the newest one, and the old node that is nearest to it.
-  // `robot_T_node`: from the robot at this scan.
-  std::optional<loop_closure::ClosureRecord> AddScan(const sensor::LaserScan& scan,
-                                                     const backend::SE2& motion, int node,
-                                                     const backend::SE2& robot_T_node);
+  struct Outcome {
+    // Once the robot is found: the closure between `node` and the old node that is nearest to it.
+    std::optional<loop_closure::ClosureRecord> closure;
+    bool taken_back = false;  // the latest closure is wrong
+  };
+
+  // The next scan, deskewed, and the motion since the one before. `node`: the newest one, and
+  // `robot_T_node` from the robot at this scan.
+  Outcome AddScan(const sensor::LaserScan& scan, const backend::SE2& motion, int node,
+                  const backend::SE2& robot_T_node);
 
   // The robot is lost: looks for it anew.
   void BeginPiece();
 
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(use_, known_, searches_, begin_s_, found_);
+    archive(use_, known_, begin_s_, found_);
     if constexpr (Archive::is_loading::value) MakeLocalizer();
     archive(*localizer_);
   }
 
  private:
+  loop_closure::ClosureRecord ClosureAt(const localization::Located& located, int node,
+                                        const backend::SE2& robot_T_node) const;
   void MakeLocalizer() { localizer_.emplace(localization::Localizer::Options{}, &known_.map); }
 
   Use use_;
   Known known_;
   std::optional<localization::Localizer> localizer_;  // refers to the map
-  bool searches_ = true;
-  std::optional<double> begin_s_;  // of the search
+  std::optional<double> begin_s_;                     // of the search
   std::vector<Found> found_;
 };
 

@@ -4,8 +4,8 @@
 #   tests/run.sh          the format, a sample of clang-tidy, the release build and all tests; then the
 #                         sanitizers: short tests with ASan and UBSan, those with threads with TSan; and
 #                         two minutes of fuzzing
-#   tests/run.sh STEP...  only these: format, tidy, docs, fuzz, packages (in a bare Debian, minutes), or a
-#                         preset: release, dev, asan, tsan
+#   tests/run.sh STEP...  only these: format, tidy, docs, fuzz, packages (in a bare Debian, minutes), ros (the
+#                         node for ROS 1 under a roscore), or a preset: release, dev, asan, tsan
 # Tests on real logs find them in $GMAPPING_SPA_DATA or ../shared/data, and are skipped elsewhere.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -22,12 +22,18 @@ for step in "${steps[@]}"; do
     tidy) tests/check_tidy.sh ;;
     fuzz)
       experiments/install_packages.sh fuzz
-      tests/fuzz.sh 12  # each of ten readers
+      tests/fuzz.sh 12  # each reader
       ;;
     packages)
       experiments/install_packages.sh packages
       cmake --preset release >/dev/null
       GMAPPING_SPA_TEST_PACKAGES=1 ctest --preset release -R '^Packages'
+      ;;
+    ros)  # with release where its packages are there
+      experiments/install_packages.sh ros
+      cmake --preset release >/dev/null
+      cmake --build --preset release --target gmapping_spa_ros1 gmapping_spa evaluate_map
+      ctest --preset release -R '^ros1'
       ;;
     docs)  # with release, a test builds them
       cmake --preset release >/dev/null

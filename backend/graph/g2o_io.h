@@ -46,7 +46,7 @@ PoseGraph ReadG2o(std::istream& in, const std::string& name, const G2oOptions& o
                   G2oRemarks* remarks = nullptr);
 
 // Writes VERTEX_SE2, FIX and EDGE_SE2 records, numbers with up to 17 digits so that ReadG2o gives
-// back the same values. Stamps and kinds of edges have no place in the format.
+// back the same values. Stamps (see stamps_io.h) and kinds of edges have no place in the format.
 void WriteG2o(const PoseGraph& graph, std::ostream& out);
 
 }  // namespace gmapping_spa::backend

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "backend/plugin/optimizer_packets.h"
 
-#include "backend/plugin/packet.h"
+#include "backend/packet.h"
 
 namespace gmapping_spa::backend {
 namespace {

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <system_error>
 
-#include "backend/plugin/packet.h"
+#include "backend/packet.h"
 
 namespace gmapping_spa::backend {
 namespace {

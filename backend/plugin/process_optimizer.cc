@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "backend/packet.h"
 #include "backend/plugin/optimizer_packets.h"
-#include "backend/plugin/packet.h"
 #include "backend/plugin/packet_channel.h"
 #include "backend/plugin/plugin_loader.h"
 #include "backend/plugin/worker_process.h"

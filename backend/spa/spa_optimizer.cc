@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "backend/plugin/packet.h"
+#include "backend/packet.h"
 #include "backend/sparse/graph_covariance.h"
 
 namespace gmapping_spa::spa {

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "backend/graph/graph_index.h"
-#include "backend/plugin/packet.h"
+#include "backend/packet.h"
 #include "backend/sparse/block_structure.h"
 #include "backend/sparse/elimination_tree.h"
 #include "backend/sparse/fronts.h"

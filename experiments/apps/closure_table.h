@@ -3,10 +3,7 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_CLOSURE_TABLE_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_CLOSURE_TABLE_H_
 
-#include <cstddef>
-#include <istream>
 #include <ostream>
-#include <string>
 #include <vector>
 
 #include "backend/graph/pose_graph.h"
@@ -15,14 +12,11 @@
 
 namespace gmapping_spa::apps {
 
-// Comma-separated values with a header: a line for every candidate that was looked at.
+// Comma-separated values with a header: a line for every candidate that was looked at. `found` is
+// what the program says of it, `verdict` what counts: they differ where somebody knew better
+// (closure_rows.h). I11 ... I33 is the information of x_m, y_m, theta_rad, in the order of .g2o.
 void WriteClosures(const std::vector<loop_closure::ClosureRecord>& records,
                    const std::vector<backend::Node>& nodes, std::ostream& out);
-
-// The candidates of such a table, without their information. `nodes` is the number of nodes of the
-// graph. Throws std::runtime_error "<name>:<line>: expected <what>, found <what>".
-std::vector<loop_closure::ClosureRecord> ReadClosures(std::istream& in, const std::string& name,
-                                                      std::size_t nodes);
 
 // Number of candidates by what became of them.
 Json CountClosures(const std::vector<loop_closure::ClosureRecord>& records);

@@ -94,12 +94,13 @@ void Run() {
   if (!is_database) out.open(path, std::ios::binary | std::ios::trunc);
   const std::unique_ptr<conversion::RecordSink> sink =
       MakeSink(output.extension().string(), path, out);
-  std::int64_t scans = 0, odometry = 0;
+  std::int64_t scans = 0, with_odometry = 0, odometry = 0;
   ProgressBar progress("records", 0);
   while (std::optional<sensor::LogRecord> record = reader->Next()) {
     ThrowIfInterrupted();
     if (const auto* scan = std::get_if<sensor::ScanRecord>(&*record)) {
       ++scans;
+      with_odometry += scan->has_odometry ? 1 : 0;
       sink->OnScan(*scan);
     } else {
       ++odometry;
@@ -115,8 +116,8 @@ void Run() {
   for (const auto& [loss, count] : sink->losses()) {
     if (count > 0) LOG(WARNING) << count << ' ' << loss;
   }
-  std::cout << scans << " scans and " << odometry << " odometry records in " << FLAGS_output
-            << '\n';
+  std::cout << scans << " scans, " << with_odometry << " of them with odometry, and " << odometry
+            << " odometry records of " << FLAGS_log << " are in " << FLAGS_output << '\n';
 }
 
 FlagGroups AllFlagGroups() {

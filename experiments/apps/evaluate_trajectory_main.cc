@@ -12,8 +12,8 @@
 #include "experiments/apps/trajectory_files.h"
 #include "experiments/metrics/trajectory_error.h"
 
-DEFINE_string(truth, "", "File of the true trajectory (TUM).");
-DEFINE_string(trajectory, "", "File of the trajectory to score (TUM).");
+DEFINE_string(truth, "", "File of the true trajectory (TUM or KITTI).");
+DEFINE_string(trajectory, "", "File of the trajectory to score, in the format of the true one.");
 DEFINE_double(
     max_gap_s, 0.01,
     "Largest difference in s, from 0, between the stamps of two poses that belong together.");
@@ -48,8 +48,12 @@ void Run() {
   if (!(FLAGS_max_gap_s >= 0.0)) throw std::runtime_error("--max_gap_s must not be negative");
   const metrics::Alignment alignment = OneOf("align", FLAGS_align, kAlignments);
   const metrics::StepUnit unit = OneOf("rpe_unit", FLAGS_rpe_unit, kStepUnits);
-  const TrajectoryFile truth = ReadTrajectoryFile(FLAGS_truth);
-  const TrajectoryFile trajectory = ReadTrajectoryFile(FLAGS_trajectory);
+  const TrajectoryFile truth = ReadTumOrKittiFile(FLAGS_truth);
+  const TrajectoryFile trajectory = ReadTumOrKittiFile(FLAGS_trajectory);
+  if (!truth.has_stamps && unit == metrics::StepUnit::kSeconds) {
+    throw std::runtime_error("--rpe_unit=s: expected files with stamps (TUM), found " +
+                             FLAGS_truth + " without (KITTI)");
+  }
   const auto pairs = AssociateFiles(truth, trajectory, FLAGS_max_gap_s);
   const backend::SE2 truth_T_estimate = metrics::Align(pairs, alignment);
   const auto absolute = metrics::AbsoluteTrajectoryError(pairs, alignment);
@@ -58,7 +62,7 @@ void Run() {
       {"truth_poses", truth.poses.size()},
       {"trajectory_poses", trajectory.poses.size()},
       {"associated", pairs.size()},
-      {"max_gap_s", FLAGS_max_gap_s},
+      {"max_gap_s", truth.has_stamps ? Json(FLAGS_max_gap_s) : Json(nullptr)},
       {"align", FLAGS_align},
       {"alignment",
        {{"x_m", truth_T_estimate.x},
@@ -69,7 +73,8 @@ void Run() {
       {"rpe_unit", FLAGS_rpe_unit},
       {"rpe", ErrorsToJson(relative)},
       {"convention",
-       "as evo, in the plane: poses associated by nearest stamp; ate: distances and angles between "
+       "as evo, in the plane: poses associated by nearest stamp, in files without stamps "
+       "(KITTI) by their number; ate: distances and angles between "
        "poses after the alignment (rigid, without scale); rpe: inverse(true i_T_j) * estimated "
        "i_T_j over consecutive steps without overlap; std is that of the population"}};
   std::cout << json.dump(2) << '\n';
@@ -87,6 +92,8 @@ int main(int argc, char** argv) {
   return gmapping_spa::apps::RunApp(
       argc, argv,
       "compares a trajectory with the true one and prints absolute (ATE) and relative (RPE) errors "
-      "as JSON.\nUsage: evaluate_trajectory --truth=FILE --trajectory=FILE\nFiles may be gzipped.",
+      "as JSON.\nUsage: evaluate_trajectory --truth=FILE --trajectory=FILE\nFiles are of the TUM "
+      "format or "
+      "both of KITTI's, and may be gzipped.",
       gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);
 }

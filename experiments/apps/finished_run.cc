@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/apps/finished_run.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
@@ -14,7 +12,8 @@
 #include <vector>
 
 #include "backend/graph/g2o_io.h"
-#include "experiments/apps/closure_table.h"
+#include "experiments/apps/closure_rows.h"
+#include "experiments/apps/graph_stamps.h"
 #include "experiments/apps/input_file.h"
 #include "experiments/apps/json.h"
 #include "experiments/apps/staging_folder.h"
@@ -26,33 +25,23 @@ namespace {
 
 using view::Figures;
 
-double Distance(const backend::SE2& a, const backend::SE2& b) {
-  return (a.translation() - b.translation()).norm() +
-         std::abs(backend::WrapAngle(a.theta - b.theta));
+backend::Trajectory ReadNodes(const std::string& path) {
+  backend::PoseGraph graph = backend::ReadG2o(*OpenInput(path), path);
+  if (!ReadStampsBeside(path, &graph)) {
+    throw std::runtime_error(StampsPathOf(path) + ": expected the stamps of the graph beside it");
+  }
+  backend::Trajectory nodes;
+  for (const backend::Node& node : graph.nodes) nodes.push_back({node.stamp_s, node.world_T_node});
+  return nodes;
 }
 
-// Nodes are scans, in their order: the next pose of the trajectory that is the same, and where
-// there is none, the nearest one of all that are left.
-backend::Trajectory WithStamps(const backend::PoseGraph& graph,
-                               const backend::Trajectory& trajectory) {
-  constexpr double kSame = 1e-6;
-  backend::Trajectory nodes;
-  auto at = trajectory.begin();
-  for (const backend::Node& node : graph.nodes) {
-    const auto differs = [&](const backend::StampedPose& pose) {
-      return Distance(pose.world_T_robot, node.world_T_node);
-    };
-    auto found =
-        std::find_if(at, trajectory.end(), [&](const auto& p) { return differs(p) < kSame; });
-    if (found == trajectory.end()) {
-      found = std::min_element(at, trajectory.end(), [&](const auto& a, const auto& b) {
-        return differs(a) < differs(b);
-      });
-    }
-    if (found != trajectory.end()) at = found;
-    nodes.push_back({at == trajectory.end() ? 0.0 : at->stamp_s, node.world_T_node});
+std::vector<loop_closure::ClosureRecord> ReadCandidates(const std::string& path,
+                                                        std::size_t nodes) {
+  std::vector<loop_closure::ClosureRecord> candidates;
+  for (const ClosureRow& row : ReadClosureRows(*OpenInput(path), path, static_cast<int>(nodes))) {
+    candidates.push_back(row.record);
   }
-  return nodes;
+  return candidates;
 }
 
 view::HealthSnapshot HealthOf(const Json& record) {
@@ -103,10 +92,8 @@ view::FinishedRun ReadFiles(const std::string& folder) {
   snapshot.trajectory = view::ByTime(backend::ReadTum(*OpenInput(trajectory), trajectory));
   if (snapshot.trajectory.empty()) throw std::runtime_error(trajectory + ": expected a pose");
   view::GraphSnapshot graph_snapshot;
-  graph_snapshot.nodes =
-      WithStamps(backend::ReadG2o(*OpenInput(graph), graph), snapshot.trajectory);
-  graph_snapshot.candidates =
-      ReadClosures(*OpenInput(closures), closures, graph_snapshot.nodes.size());
+  graph_snapshot.nodes = ReadNodes(graph);
+  graph_snapshot.candidates = ReadCandidates(closures, graph_snapshot.nodes.size());
   run.history = HistoryOf(graph_snapshot, snapshot.trajectory);
   const Json json = Json::parse(*OpenInput(record), nullptr, /*allow_exceptions=*/false);
   try {

@@ -10,7 +10,8 @@
 namespace gmapping_spa::apps {
 
 // Of a folder that gmapping_spa wrote: map.yaml and its image, trajectory.tum, graph.g2o,
-// loop_closures.csv, run.json. Nodes get the stamp of the pose of the trajectory that is theirs.
+// graph.stamps, loop_closures.csv, run.json. Of candidates for closures it has nodes, verdict and
+// measured pose, no scores.
 // Throws std::runtime_error with one line when a file is missing or broken.
 view::FinishedRun ReadFinishedRun(const std::string& folder);
 

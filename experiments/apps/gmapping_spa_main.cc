@@ -79,7 +79,7 @@ void Run() {
   BeginAsFlagsSay(&slam);
   const std::unique_ptr<SessionSaver> saver = MakeSessionSaver(&slam);
   OutputFiles files(FLAGS_output_dir);
-  const auto live_view = LiveViewFromFlags(FLAGS_log, slam.resolution_m());
+  const auto live_view = LiveViewFromFlags(FLAGS_log, slam.gmapping().resolution_m());
   slam.SetObserver(live_view.get());
   const sensor::LogCounts log_counts = ProcessLog(log_options, &slam, saver.get());
   if (slam.counts().updates == 0 || slam.CatchesUp()) ThrowIfInterrupted();  // nothing new
@@ -115,7 +115,8 @@ int main(int argc, char** argv) {
       "makes a map and a trajectory from a sensor log.\n"
       "Usage: gmapping_spa --log=FILE --output_dir=DIR [--flagfile=FILE] [--view] [flags]\n"
       "       gmapping_spa --view=DIR[,DIR]\n"
-      "Writes trajectory.tum, map.pgm, map.yaml, map.png, graph.g2o, loop_closures.csv and "
-      "run.json.",
+      "Writes the trajectory (trajectory.tum, trajectory.kitti with times.txt), the map (map.pgm "
+      "with map.yaml, map.png, map_cells.png), the pose graph (graph.g2o with graph.stamps), "
+      "loop_closures.csv and run.json.",
       gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);
 }

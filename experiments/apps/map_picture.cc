@@ -139,8 +139,8 @@ void DrawScaleBar(cairo_t* context, const View& view) {
 
 }  // namespace
 
-void WriteMapPicture(const TrinaryMap& map, const Trajectory& trajectory,
-                     const std::string& png_path, const Stretches& stretches) {
+PicturePlace WriteMapPicture(const TrinaryMap& map, const Trajectory& trajectory,
+                             const std::string& png_path, const Stretches& stretches) {
   const View view = Fit(map, trajectory);
   const PngCanvas canvas(view.width_px(), view.height_px() + kLegendHeightPx);
   if (cairo_surface_status(canvas.surface()) == CAIRO_STATUS_SUCCESS) {
@@ -152,6 +152,7 @@ void WriteMapPicture(const TrinaryMap& map, const Trajectory& trajectory,
   DrawStretchLegend(canvas.context(), stretches, view.width_px() / 2.0,
                     view.height_px() + kLegendHeightPx - 18.0);
   canvas.Write(png_path);
+  return {1.0 / view.pixels_per_m, view.min_x_m, view.max_y_m};
 }
 
 }  // namespace gmapping_spa::apps

@@ -7,6 +7,7 @@
 
 #include "backend/graph/trajectory_io.h"
 #include "experiments/apps/trajectory_drawing.h"
+#include "experiments/apps/world_file.h"
 #include "frontend/map/trinary_map.h"
 
 namespace gmapping_spa::apps {
@@ -16,10 +17,10 @@ namespace gmapping_spa::apps {
 // a green disc at its start and a red one at its end, and a scale bar. The longer side has 800 to
 // 2000 pixels. The trajectory may be empty. Where its stamps are within a stretch of the kind
 // "ambiguous", the line is thick and magenta, within one of the kind "lost" dashed in black on
-// white; a legend beside the scale bar says so.
+// white; a legend beside the scale bar says so. Returns where the picture lies in the map's frame.
 // Throws std::runtime_error with one line when the file cannot be written.
-void WriteMapPicture(const map::TrinaryMap& map, const backend::Trajectory& trajectory,
-                     const std::string& png_path, const Stretches& stretches = {});
+PicturePlace WriteMapPicture(const map::TrinaryMap& map, const backend::Trajectory& trajectory,
+                             const std::string& png_path, const Stretches& stretches = {});
 
 }  // namespace gmapping_spa::apps
 

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "backend/graph/g2o_io.h"
+#include "backend/graph/stamps_io.h"
 #include "backend/out_of_memory.h"
 #include "backend/plugin/plugin_loader.h"
 #include "backend/scheduling/certify_result.h"
@@ -28,13 +29,17 @@
 #include "experiments/apps/certificate_record.h"
 #include "experiments/apps/covariance_table.h"
 #include "experiments/apps/graph_picture.h"
+#include "experiments/apps/graph_stamps.h"
 #include "experiments/apps/input_file.h"
 #include "experiments/apps/interruptible.h"
 #include "experiments/apps/optimization_record.h"
 #include "experiments/apps/output_files.h"
 
 DEFINE_string(input, "", "File of the pose graph, .g2o or TORO's .graph, plain or gzipped.");
-DEFINE_string(output, "", "File that gets the optimized graph as .g2o. Empty: none.");
+DEFINE_string(
+    output, "",
+    "File that gets the optimized graph as .g2o, and the one of its stamps beside it where "
+    "the input has stamps. Empty: none.");
 DEFINE_string(png, "", "PNG file that gets a picture of the graph before and after. Empty: none.");
 DEFINE_bool(certify, false,
             "Prove that the optimized poses are the global optimum of least squares; `certificate` "
@@ -157,6 +162,16 @@ void Run() {
   const CovarianceChoice choice = ParseCovarianceChoice("--covariances_of", FLAGS_covariances_of);
   Outputs outputs;
   for (const std::string& path : {FLAGS_output, FLAGS_png, FLAGS_covariances}) outputs.Add(path);
+  const bool has_stamps = fs::exists(StampsPathOf(FLAGS_input));
+  const std::string stamps_path = StampsPathOf(FLAGS_output);
+  if (has_stamps) {
+    outputs.Add(stamps_path);
+  } else if (fs::exists(stamps_path)) {
+    throw std::runtime_error(stamps_path +
+                             ": expected no such file, which would be taken for the "
+                             "stamps of " +
+                             FLAGS_output + ": " + FLAGS_input + " has none");
+  }
   for (const std::string& path : {FLAGS_png, FLAGS_covariances}) {
     std::error_code unknown;
     if (fs::equivalent(path, FLAGS_input, unknown)) {
@@ -174,6 +189,7 @@ void Run() {
   for (const auto& [remark, count] : remarks) {
     LOG(WARNING) << FLAGS_input << ": " << remark << " (" << count << ")";
   }
+  ReadStampsBeside(FLAGS_input, &graph);
   if (graph.nodes.empty()) LOG(WARNING) << FLAGS_input << ": holds no vertices and no edges";
   ThrowIfInterrupted();
   std::optional<PoseGraph> before;
@@ -205,8 +221,14 @@ void Run() {
     outputs.Of(FLAGS_output).Write(NameOf(FLAGS_output), [&](std::ostream& out) {
       backend::WriteG2o(graph, out);
     });
+    if (has_stamps) {
+      outputs.Of(stamps_path).Write(NameOf(stamps_path), [&](std::ostream& out) {
+        backend::WriteStamps(graph, out);
+      });
+    }
   }
   Json record = OptimizationRecord(FLAGS_input, graph, remarks, summary, cpu_s);
+  record["has_stamps"] = has_stamps;
   if (!FLAGS_covariances.empty()) {
     const CovarianceTable table =
         MakeCovarianceTable(graph, choice, OptionsFromFlags().loss, summary, optimizer.get());

@@ -3,27 +3,23 @@
 
 #include <glog/logging.h>
 
-#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
-#include "backend/graph/g2o_io.h"
-#include "backend/graph/trajectory_io.h"
 #include "backend/out_of_memory.h"
 #include "experiments/apps/app.h"
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/closure_table.h"
 #include "experiments/apps/health_record.h"
 #include "experiments/apps/localization_table.h"
-#include "experiments/apps/map_picture.h"
+#include "experiments/apps/result_files.h"
 #include "experiments/apps/result_flags.h"
 #include "experiments/apps/slam_flags.h"
 #include "experiments/apps/version.h"
 #include "frontend/map/map_building.h"
-#include "frontend/map/map_server_io.h"
 #include "frontend/session/state.h"
 #include "frontend/slam_parts.h"
 
@@ -41,7 +37,6 @@ SlamRun::SlamRun(const SlamOptions& options)
 }
 
 void SlamRun::Load(const session::Session& session, const std::string& name) {
-  gmapping_.KeepStateOf(optimizer_);
   try {
     session::LoadState(session.state, &gmapping_);
   } catch (const std::exception& error) {
@@ -53,6 +48,7 @@ void SlamRun::Load(const session::Session& session, const std::string& name) {
 void SlamRun::GoOnInMapOf(const session::Session& session, const std::string& name,
                           frontend::MapSession::Use use) {
   CheckResultFlag("resolution_m", session.info.flags, name);
+  gmapping_.KeepStateOf(optimizer_);
   Load(session, name);
   if (counts().updates == 0) throw std::runtime_error(name + ": expected a map, found no scan");
   gmapping_.BeginSession(use);
@@ -60,6 +56,7 @@ void SlamRun::GoOnInMapOf(const session::Session& session, const std::string& na
 
 void SlamRun::Resume(const session::Session& session, const std::string& name) {
   CheckResultFlags(session.info.flags, name);
+  gmapping_.KeepStateOf(optimizer_);
   Load(session, name);
   stopwatch_.Add(session.info.processing_s);
   session_name_ = name;
@@ -136,19 +133,35 @@ bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::Log
   const frontend::SlamResult estimate = signal == 0 ? gmapping_.Finish() : gmapping_.FinishEarly();
   // A signal during the final optimization may have cut it short.
   if (gmapping_.graph_thread().counts().late > late) signal = ReceivedSignal();
-  stopwatch_.Lap("finish_s");
   if (observer_) observer_->AfterFinish(gmapping_, estimate);
-  const backend::Trajectory trajectory = OfThisLog(estimate);
+  Json record = WriteEstimate(estimate, input, log_counts, files);
+  if (resumed_scans_ > 0) record["resources"]["resumed_after_scans"] = resumed_scans_;
+  if (signal != 0) record["interrupted"] = {{"signal", signal}, {"scans", counts().scans}};
+  files->Write("run.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
+  WarnOf(log_counts);
+  gmapping_.health().LogSummary();
+  return signal == 0;
+}
+
+void SlamRun::FinishEdited(const Json& input, const Json& edits, int refine, OutputFiles* files) {
+  stopwatch_.Lap("processing_s");
+  const frontend::SlamResult estimate = gmapping_.FinishEdited(refine);
+  ThrowIfInterrupted();
+  Json record = WriteEstimate(
+      estimate, [&] { return input; }, {}, files);
+  record["edits"] = edits;
+  files->Write("run.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
+  gmapping_.health().LogSummary();
+}
+
+Json SlamRun::WriteEstimate(const frontend::SlamResult& estimate,
+                            const std::function<Json()>& input, const sensor::LogCounts& log_counts,
+                            OutputFiles* files) {
+  stopwatch_.Lap("finish_s");
   const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, occupied_threshold_);
   if (map.cells.empty()) throw std::runtime_error("no scan saw anything: the map would be empty");
-  backend::Trajectory by_time = trajectory;
-  std::stable_sort(by_time.begin(), by_time.end(),
-                   [](const auto& a, const auto& b) { return a.stamp_s < b.stamp_s; });
-
-  files->Write("trajectory.tum", [&](std::ostream& out) { backend::WriteTum(trajectory, out); });
-  files->Write("map.pgm", [&](std::ostream& out) { map::WritePgm(map, out); });
-  files->Write("map.yaml", [&](std::ostream& out) { map::WriteMapYaml(map, "map.pgm", out); });
-  files->Write("graph.g2o", [&](std::ostream& out) { backend::WriteG2o(estimate.graph, out); });
+  const backend::Trajectory trajectory = OfThisLog(estimate);
+  WriteResultFiles(trajectory, estimate.graph, map, gmapping_.health().stretches(), files);
   files->Write("loop_closures.csv", [&](std::ostream& out) {
     WriteClosures(gmapping_.loop_closer().records(), estimate.graph.nodes, out);
   });
@@ -156,7 +169,6 @@ bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::Log
     const std::vector<LocalizedScan> scans = LocalizedScans(gmapping_, estimate, optimizer_.get());
     files->Write("localization.csv", [&](std::ostream& out) { WriteLocalization(scans, out); });
   }
-  WriteMapPicture(map, by_time, files->TemporaryPath("map.png"), gmapping_.health().stretches());
   stopwatch_.Lap("writing_s");
   const Json health = HealthRecord(gmapping_.health(), log_counts);
   Json record = MakeRunRecord(input(), gmapping_, map, health, stopwatch_);
@@ -165,12 +177,7 @@ bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::Log
     LOG_IF(WARNING, trajectory.empty()) << "the robot was not found in the map of the session: no "
                                            "pose is told";
   }
-  if (resumed_scans_ > 0) record["resources"]["resumed_after_scans"] = resumed_scans_;
-  if (signal != 0) record["interrupted"] = {{"signal", signal}, {"scans", counts().scans}};
-  files->Write("run.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
-  WarnOf(log_counts);
-  gmapping_.health().LogSummary();
-  return signal == 0;
+  return record;
 }
 
 }  // namespace gmapping_spa::apps

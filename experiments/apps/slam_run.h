@@ -57,23 +57,35 @@ class SlamRun {
 
   // After the last scan, or the last one before the process received a signal: then results are
   // those of the scans so far, without the final optimization, and the record says so. Writes
-  // trajectory.tum, map.pgm, map.yaml, map.png, graph.g2o, loop_closures.csv and run.json, where
-  // the robot is localized in a map localization.csv, too, and warns of what was noticed. `input`
-  // tells for the record what the scans were made of; `log_counts` are those of the log's reader,
-  // empty where there is none. Returns whether the results are those of all scans. Throws
+  // the files of result_files.h, loop_closures.csv and run.json, where the robot is localized in a
+  // map localization.csv, too, and warns of what was noticed. `input` tells for the record what the
+  // scans were made of; `log_counts` are those of the log's reader, empty where there is none.
+  // Returns whether the results are those of all scans. Throws
   // std::runtime_error with one line where the map would be empty.
   bool Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
               OutputFiles* files);
 
-  double resolution_m() const { return gmapping_.resolution_m(); }
+  // Takes over the state of a session that was made with the flags of this program, to edit it; no
+  // scans are asked for again, and the back end may be another one. Throws std::runtime_error with
+  // one line when it does not fit.
+  void Load(const session::Session& session, const std::string& name);
+  frontend::ImprovedGmapping& gmapping() { return gmapping_; }
+  // Writes the files of Finish of closures that were edited (ImprovedGmapping::FinishEdited);
+  // `edits` tells the record how.
+  void FinishEdited(const Json& input, const Json& edits, int refine, OutputFiles* files);
+
   const frontend::ImprovedGmapping::Counts& counts() const { return gmapping_.counts(); }
+  // To look at while scans come.
+  const frontend::ImprovedGmapping& gmapping() const { return gmapping_; }
 
  private:
   explicit SlamRun(const SlamOptions& options);
-  void Load(const session::Session& session, const std::string& name);
   backend::Trajectory OfThisLog(const frontend::SlamResult& result) const;
   bool WriteResults(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
                     OutputFiles* files);
+  // All but run.json, of which the record is returned.
+  Json WriteEstimate(const frontend::SlamResult& estimate, const std::function<Json()>& input,
+                     const sensor::LogCounts& log_counts, OutputFiles* files);
 
   double occupied_threshold_;
   bool is_async_;

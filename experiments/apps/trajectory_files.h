@@ -16,6 +16,7 @@ namespace gmapping_spa::apps {
 struct TrajectoryFile {
   std::string path;
   backend::Trajectory poses;
+  bool has_stamps = true;
 };
 
 // What --align of the programs that compare trajectories stands for.
@@ -28,8 +29,14 @@ inline constexpr backend::EnumName<metrics::Alignment> kAlignments[] = {
 // cannot be read or holds no poses.
 TrajectoryFile ReadTrajectoryFile(const std::string& path);
 
-// Pairs of poses whose stamps differ by max_gap_s at most. Throws std::runtime_error with one line,
-// which tells the stamps of both files, when there is none.
+// Likewise the TUM or the KITTI format: the number of columns of the first pose tells. Poses of
+// KITTI have no stamps; their numbers stand for them.
+TrajectoryFile ReadTumOrKittiFile(const std::string& path);
+
+// Pairs of poses whose stamps differ by max_gap_s at most; of two files without stamps, poses of
+// the same number. Throws std::runtime_error with one line when those have different numbers of
+// poses, or one of the files has stamps and the other one not. Throws std::runtime_error with one
+// line, which tells the stamps of both files, when there is none.
 std::vector<metrics::PosePair> AssociateFiles(const TrajectoryFile& truth,
                                               const TrajectoryFile& estimate, double max_gap_s);
 

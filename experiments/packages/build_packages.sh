@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds the Debian packages of this source tree: gmapping-spa and libgmapping-spa-dev.
+# Builds the Debian packages of this source tree: gmapping-spa, libgmapping-spa-dev and python3-gmapping-spa.
 #   experiments/packages/build_packages.sh [FOLDER] [CMake options...]
 # FOLDER, by default out/packages, gets the packages; options such as -DGMAPPING_SPA_CERES=OFF leave out parts.
 # The same commit on the same system makes the same bytes. Install them with
@@ -17,7 +17,7 @@ if [[ $# -gt 0 && $1 != -D* ]]; then
 fi
 cd "$(dirname "$0")/../.."
 
-experiments/install_packages.sh packages
+experiments/install_packages.sh packages python
 build=build-packages
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr \
   -DGMAPPING_SPA_TESTS=OFF "$@" >/dev/null

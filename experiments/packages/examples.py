@@ -15,6 +15,15 @@ EXAMPLES = {
     "inspect_log": [
         ("What a log holds, before a map is made of it:", "inspect_log --log=robot.clf.gz"),
     ],
+    "edit_closures": [
+        ("The results of a run whose loop closures were edited:",
+         "edit_closures --session=robot.session --closures=out/robot/loop_closures.csv "
+         "--output_dir=out/edited"),
+    ],
+    "convert_log": [
+        ("A CARMEN log as a ROS 1 bag:",
+         "convert_log --log=robot.clf.gz --output=robot.bag"),
+    ],
     "optimize_graph": [
         ("The optimum of a pose graph, with a proof that it is the global one:",
          "optimize_graph --input=graph.g2o --output=optimized.g2o --certify"),

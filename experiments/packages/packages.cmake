@@ -3,6 +3,12 @@
 # packages_at_cpack_time.cmake.
 file(STRINGS ${PROJECT_SOURCE_DIR}/CITATION.cff maintainer REGEX "^  - name: ")
 string(REGEX REPLACE "^  - name: " "" maintainer "${maintainer}")
+# Who packages for others says who, as Debian's tools are told.
+set(maintainer_address "gmapping-spa@packages.invalid")  # that there is none: RFC 2606
+if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
+  set(maintainer $ENV{DEBFULLNAME})
+  set(maintainer_address $ENV{DEBEMAIL})
+endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME gmapping-spa)
@@ -12,12 +18,11 @@ set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_SOURCE_DIR}/packages_at_cpack_time.cmake)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_SOURCE_DIR}/packages_as_debian_wants.cmake)
 set(CPACK_GMAPPING_SPA_SOURCE ${PROJECT_SOURCE_DIR})
 
-# The component python is there when experiments/python installs something of it.
 set(CPACK_COMPONENTS_ALL runtime dev)
-get_cmake_property(components COMPONENTS)
-if(python IN_LIST components)
+if(TARGET gmapping_spa_python)
   list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
 
@@ -25,7 +30,7 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
-set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${maintainer}")
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${maintainer} <${maintainer_address}>")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "2D lidar SLAM with interchangeable pose-graph back ends")
@@ -53,6 +58,14 @@ set(CPACK_COMPONENT_PYTHON_DESCRIPTION
   "The Python module gmapping_spa: scans as NumPy arrays in, poses, maps and pose
 graphs out.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-set(CPACK_GMAPPING_SPA_PYTHON_DEPENDS python3 python3-numpy)
+# An extension is for one version of Python.
+execute_process(
+  COMMAND python3 -c "import sys; a, b = sys.version_info[:2]; print(f'python3 (>= {a}.{b}~);python3 (<< {a}.{b + 1})')"
+  OUTPUT_VARIABLE python_versions OUTPUT_STRIP_TRAILING_WHITESPACE)
+set(CPACK_GMAPPING_SPA_PYTHON_DEPENDS ${python_versions} python3-numpy)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+  ${CMAKE_CURRENT_SOURCE_DIR}/python/postinst ${CMAKE_CURRENT_SOURCE_DIR}/python/prerm)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 
 include(CPack)

@@ -9,10 +9,14 @@ execute_process(
   COMMAND ${git} tag --points-at HEAD --list v${CPACK_PACKAGE_VERSION}
   OUTPUT_VARIABLE tag OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 execute_process(
+  COMMAND ${git} show --no-patch --date=format-local:%a,\ %d\ %b\ %Y\ %H:%M:%S\ +0000 --format=%cd HEAD
+  OUTPUT_VARIABLE CPACK_GMAPPING_SPA_DATE OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+execute_process(
   COMMAND ${git} show --no-patch --date=format-local:%Y%m%d.%H%M%S --format=%cd.%h HEAD
   OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
 if(failed)
   message(STATUS "There is no repository: the packages do not tell their commit")
+  string(TIMESTAMP CPACK_GMAPPING_SPA_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)  # SOURCE_DATE_EPOCH, where it is set
 elseif(tag STREQUAL "")
   string(APPEND CPACK_DEBIAN_PACKAGE_VERSION "~git${commit}")
 endif()

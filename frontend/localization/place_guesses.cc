@@ -29,6 +29,10 @@ std::vector<Eigen::Vector2d> SurfaceOf(const map::OccupancyGrid& map) {
   return points;
 }
 
+// Of a pose before the views are aligned with the map.
+constexpr double kSigma_m = 0.2;
+constexpr double kSigma_rad = 0.1;
+
 }  // namespace
 
 double PlaceGuess::Support() const {
@@ -75,18 +79,22 @@ Eigen::Matrix3d PlaceGuesses::InformationAt(const Views& views, const SE2& map_T
   return gauss_newton_.InformationAt(*map_, views.Joined(options_.align_cell_m), map_T_robot);
 }
 
+PlaceGuess PlaceGuesses::Near(const Views& views, const SE2& map_T_robot) const {
+  const SE2 aligned = gauss_newton_
+                          .Align(*map_, views.Joined(options_.align_cell_m), map_T_robot,
+                                 backend::InformationFromSigmas(kSigma_m, kSigma_rad))
+                          .world_T_robot;
+  return {.map_T_robot = aligned, .evidence = EvidenceAt(views, aligned)};
+}
+
 std::vector<PlaceGuess> PlaceGuesses::Find(const Views& views) const {
   const std::vector<Eigen::Vector2d> points = scan_matching::Thinned(
       scan_matching::PositionsOf(views.Joined(options_.cell_m)), options_.max_points);
-  const scan_matching::ScanPoints joined = views.Joined(options_.align_cell_m);
   std::vector<PlaceGuess> guesses;
   for (const scan_matching::ScoredPose& peak :
        matcher_->Peaks(points, middle_, {reach_m_, std::numbers::pi}, options_.max_guesses)) {
-    const SE2 aligned =
-        gauss_newton_
-            .Align(*map_, joined, peak.map_T_scan, backend::InformationFromSigmas(0.2, 0.1))
-            .world_T_robot;
-    guesses.push_back({aligned, peak.score, EvidenceAt(views, aligned)});
+    guesses.push_back(Near(views, peak.map_T_scan));
+    guesses.back().score = peak.score;
   }
   std::stable_sort(guesses.begin(), guesses.end(), [](const PlaceGuess& a, const PlaceGuess& b) {
     return a.Support() > b.Support();

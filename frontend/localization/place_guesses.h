@@ -52,6 +52,9 @@ class PlaceGuesses {
   // Of all views together: GaussNewton::Alignment::world_information.
   Eigen::Matrix3d InformationAt(const Views& views, const backend::SE2& map_T_robot) const;
 
+  // The place that is within decimetres of this one, where the views fit best; without a score.
+  PlaceGuess Near(const Views& views, const backend::SE2& map_T_robot) const;
+
  private:
   scan_matching::Evidence EvidenceAt(const Views& views, const backend::SE2& map_T_robot) const;
 

@@ -12,11 +12,12 @@ constexpr backend::EnumName<Verdict> kVerdicts[] = {
     {"inlier_ratio", Verdict::kInlierRatio}, {"seen_through", Verdict::kSeenThrough},
     {"mahalanobis", Verdict::kMahalanobis},  {"rival", Verdict::kRival},
     {"unconfirmed", Verdict::kUnconfirmed},  {"released", Verdict::kReleased},
-    {"accepted", Verdict::kAccepted}};
+    {"rejected", Verdict::kRejected},        {"accepted", Verdict::kAccepted}};
 constexpr backend::EnumName<Source> kSources[] = {{"near", Source::kNear},
                                                   {"place", Source::kPlace},
                                                   {"followed", Source::kFollowed},
-                                                  {"localized", Source::kLocalized}};
+                                                  {"localized", Source::kLocalized},
+                                                  {"hand", Source::kHand}};
 
 // No map is better than this.
 constexpr double kFloor_m = 0.01;
@@ -27,6 +28,14 @@ constexpr double kNextToNothing = 1e-3;  // in 1/m^2 and 1/rad^2
 }  // namespace
 
 const char* VerdictName(Verdict verdict) { return NameOf(kVerdicts, verdict); }
+
+std::optional<Verdict> VerdictNamed(std::string_view name) {
+  return backend::ValueOf(kVerdicts, name);
+}
+
+std::optional<Source> SourceNamed(std::string_view name) {
+  return backend::ValueOf(kSources, name);
+}
 
 const char* SourceName(Source source) { return NameOf(kSources, source); }
 

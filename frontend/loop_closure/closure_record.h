@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include "backend/se2.h"
 
@@ -22,20 +24,26 @@ enum class Verdict : std::uint8_t {
   kRival,        // the map repeats itself by about as much as the estimate would be moved
   kUnconfirmed,  // not enough other closures agree (yet)
   kReleased,     // was accepted, and is not any more
+  kRejected,     // by hand
   kAccepted
 };
 
 const char* VerdictName(Verdict verdict);
+// Nothing when no verdict has that name.
+std::optional<Verdict> VerdictNamed(std::string_view name);
 
 // Where a candidate came from.
 enum class Source : std::uint8_t {
-  kNear,      // it is near by the estimate, given the drift
-  kPlace,     // the place looks like the other one: the estimate had no say
-  kFollowed,  // it is near if a closure found so nearby on the way is right
-  kLocalized  // the robot, which might have been anywhere, was found in the map of before
+  kNear,       // it is near by the estimate, given the drift
+  kPlace,      // the place looks like the other one: the estimate had no say
+  kFollowed,   // it is near if a closure found so nearby on the way is right
+  kLocalized,  // the robot, which might have been anywhere, was found in the map of before
+  kHand        // somebody says so
 };
 
 const char* SourceName(Source source);
+// Nothing when no source has that name.
+std::optional<Source> SourceNamed(std::string_view name);
 
 struct ClosureRecord {
   int old_node = 0;
@@ -54,13 +62,15 @@ struct ClosureRecord {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of old_T_node, as of backend::Edge
   Source source = Source::kNear;
   Verdict verdict = Verdict::kNoMatch;
+  bool is_by_hand = false;  // somebody decided otherwise: the verdict is final
+  Verdict overruled_verdict = Verdict::kNoMatch;  // that of the program, where it had one
 
   // For sessions (frontend/session).
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(old_node, node, path_length_m, distance_m, score, runner_up_score, overlap,
             inlier_ratio, mutual_inlier_ratio, mahalanobis_sq, old_T_node, information, source,
-            verdict);
+            verdict, is_by_hand, overruled_verdict);
   }
 };
 

@@ -99,6 +99,7 @@ int LoopCloser::Review(const std::vector<SE2>& world_T_nodes) {
   };
   double largest = 0.0;
   for (const std::size_t position : accepted_) {
+    if (records_[position].is_by_hand) continue;
     largest = std::max(largest, squared_error(records_[position]));
   }
   // What is wrong bends what is right: those with small errors get another chance.
@@ -107,8 +108,7 @@ int LoopCloser::Review(const std::vector<SE2>& world_T_nodes) {
   for (std::size_t position = 0; position < records_.size(); ++position) {
     const ClosureRecord& record = records_[position];
     if (record.verdict == Verdict::kAccepted && squared_error(record) > limit) {
-      Release(position);
-      ++changed;
+      changed += Release(position) ? 1 : 0;
     } else if (record.verdict == Verdict::kReleased && !IsClosed(record) &&
                squared_error(record) <= 0.25 * options_.max_squared_error) {
       Accept(position);
@@ -126,6 +126,22 @@ std::vector<UnprovenClosure> LoopCloser::Unproven(const std::vector<SE2>& estima
                            .settled_m = options_.global.settled_m,
                            .proof = options_.global.proof},
                           options_.drift, {world_T_nodes, ways_driven}, closures_, records_);
+}
+
+void LoopCloser::TakeBackLocalization() {
+  const auto latest =
+      std::find_if(records_.rbegin(), records_.rend(),
+                   [](const ClosureRecord& record) { return record.source == Source::kLocalized; });
+  if (latest == records_.rend()) return;
+  const int piece = pieces_.PieceOf(latest->node);
+  for (std::size_t position = records_.rend() - latest - 1; position < records_.size();
+       ++position) {
+    ClosureRecord& record = records_[position];
+    if (pieces_.PieceOf(record.node) != piece || pieces_.PieceOf(record.old_node) == piece) {
+      continue;
+    }
+    if (Release(position)) record.verdict = Verdict::kInlierRatio;
+  }
 }
 
 int LoopCloser::SearchNear(const std::vector<SE2>& world_T_nodes,
@@ -186,11 +202,12 @@ double LoopCloser::ConfirmBeyond(const ClosureRecord& a, const ClosureRecord& b)
   return std::max(options_.confirm_beyond_m, options_.confirm_beyond_windows * window_m);
 }
 
-// Whether the same two nodes have been looked at before, and accepted.
+// Whether the same two nodes have been looked at before, and accepted, or rejected by hand.
 bool LoopCloser::IsClosed(const ClosureRecord& record) const {
-  return std::any_of(closures_.begin(), closures_.end(), [&](const backend::Edge& closure) {
-    return closure.i == record.old_node && closure.j == record.node;
-  });
+  return IsRejectedByHand(record) ||
+         std::any_of(closures_.begin(), closures_.end(), [&](const backend::Edge& closure) {
+           return closure.i == record.old_node && closure.j == record.node;
+         });
 }
 
 void LoopCloser::Accept(std::size_t position) {
@@ -201,12 +218,14 @@ void LoopCloser::Accept(std::size_t position) {
                        .j = record.node,
                        .i_T_j = record.old_T_node,
                        .information = record.information,
-                       .kind = backend::EdgeKind::kLoopClosure});
+                       // No loss doubts what somebody has seen to.
+                       .kind = record.is_by_hand ? backend::EdgeKind::kScanMatch
+                                                 : backend::EdgeKind::kLoopClosure});
 }
 
 bool LoopCloser::Release(std::size_t position) {
   const auto found = std::find(accepted_.begin(), accepted_.end(), position);
-  if (found == accepted_.end()) return false;
+  if (found == accepted_.end() || records_[position].is_by_hand) return false;
   records_[position].verdict = Verdict::kReleased;
   closures_.erase(closures_.begin() + (found - accepted_.begin()));
   accepted_.erase(found);

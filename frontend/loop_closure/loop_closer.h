@@ -64,10 +64,27 @@ class LoopCloser {
     Accept(records_.size() - 1);
   }
 
+  // Rejects the latest closure of a robot that was found in the map of before, and those that
+  // joined its piece with others since.
+  void TakeBackLocalization();
+
   // Releases those accepted closures that an optimized graph with all of them contradicts most, and
   // accepts those released that it agrees with. Returns the number of both: optimize anew, unless
   // zero. `world_T_nodes`: as optimized with closures().
   int Review(const std::vector<backend::SE2>& world_T_nodes);
+
+  // Takes over what somebody made of records(): a record stands for the one of the same nodes and
+  // source, in order; those that are left over are new. An accepted one without its own is rejected
+  // by hand. What is decided by hand stays as it is: an accepted closure is an edge that no loss
+  // weighs and Review does not release; near a rejected one none is accepted again.
+  // Returns the number of accepted ones that had none.
+  int Edit(const std::vector<ClosureRecord>& edited);
+
+  // How two nodes lie to each other, by their scans: in the window of the drift, or else in the
+  // largest one. Verdict kUnconfirmed where they fit, or kRival where they fit elsewhere, too.
+  // `estimate`: world_T_node of all nodes.
+  ClosureRecord Measure(const std::vector<backend::SE2>& estimate, const ScanOfNode& scan_of_node,
+                        int old_node, int node) const;
 
   // The accepted ones, as edges of the graph.
   const std::vector<backend::Edge>& closures() const { return closures_; }
@@ -94,6 +111,7 @@ class LoopCloser {
   int Follow(const GlobalCloser::Decisions& decisions);
   double ConfirmBeyond(const ClosureRecord& a, const ClosureRecord& b) const;
   bool IsClosed(const ClosureRecord& record) const;
+  bool IsRejectedByHand(const ClosureRecord& record) const;
   void Accept(std::size_t position);
   bool Release(std::size_t position);
 

@@ -32,8 +32,6 @@ namespace {
 // Farther off, coordinates of cells lose their fractions.
 constexpr double kFarthestOrigin_m = 1e6;
 
-constexpr std::uint8_t kFreePixel = 254, kOccupiedPixel = 0, kUnknownPixel = 205;
-
 [[noreturn]] void Fail(const std::string& path, const std::string& message) {
   throw std::runtime_error(backend::Printable(path + ": " + message));
 }
@@ -163,15 +161,24 @@ double ReadThreshold(const YamlFile& yaml, const std::string& key) {
 
 }  // namespace
 
+std::uint8_t PixelOf(CellState state) {
+  switch (state) {
+    case CellState::kFree:
+      return 254;
+    case CellState::kOccupied:
+      return 0;
+    case CellState::kUnknown:
+      break;
+  }
+  return 205;
+}
+
 void WritePgm(const TrinaryMap& map, std::ostream& out) {
   out << "P5\n" << map.width << ' ' << map.height << "\n255\n";
   std::string line(map.width, '\0');
   for (int row = map.height - 1; row >= 0; --row) {
     for (int column = 0; column < map.width; ++column) {
-      const CellState state = map.at(column, row);
-      line[column] = static_cast<char>(state == CellState::kFree       ? kFreePixel
-                                       : state == CellState::kOccupied ? kOccupiedPixel
-                                                                       : kUnknownPixel);
+      line[column] = static_cast<char>(PixelOf(map.at(column, row)));
     }
     out.write(line.data(), static_cast<std::streamsize>(line.size()));
   }

@@ -15,6 +15,9 @@
 
 namespace gmapping_spa::map {
 
+// The grey of a cell in the image.
+std::uint8_t PixelOf(CellState state);
+
 void WritePgm(const TrinaryMap& map, std::ostream& out);
 
 // `image_name` is the path of the image relative to the folder of the YAML file.

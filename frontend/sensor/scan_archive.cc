@@ -79,7 +79,7 @@ LaserScan ScanArchive::Get(int position) const {
   const auto session = std::find_if(sessions_.begin(), sessions_.end(),
                                     [=](const Session& one) { return position < one.end; });
   const double sweep_s = session == sessions_.end() ? sweep_s_ : session->sweep_s;
-  return Deskew(Measured(position), sweep_s * scans_[position].velocity);
+  return Deskew(Measured(position), sweep_s * scans_.at(position).velocity);
 }
 
 std::vector<std::size_t> ScanArchive::Rows() const {

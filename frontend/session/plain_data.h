@@ -5,10 +5,13 @@
 #define GMAPPING_SPA_FRONTEND_SESSION_PLAIN_DATA_H_
 
 #include <Eigen/Core>
+#include <array>
+#include <bit>
 #include <cereal/cereal.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <tuple>
 
 #include "backend/graph/pose_graph.h"
 #include "backend/graph/trajectory_io.h"
@@ -67,13 +70,40 @@ void serialize(Archive& archive, Eigen::Matrix<Scalar, kRows, kColumns>& matrix)
       cereal::binary_data(matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(Scalar)));
 }
 
+// The cells that a beam has met, which are half of them or fewer, and which these are.
+inline void SaveTile(const map::Tile& tile, SaveArchive* archive) {
+  std::array<map::Cell, std::tuple_size_v<decltype(map::Tile::cells)>> known;
+  std::array<std::uint16_t, map::Tile::kSize> is_known{};  // by bits, as `occupied`
+  std::size_t count = 0;
+  for (int y = 0; y < map::Tile::kSize; ++y) {
+    for (int x = 0; x < map::Tile::kSize; ++x) {
+      known[count] = tile.cell(x, y);
+      const unsigned met = known[count].visits > 0 ? 1 : 0;
+      is_known[y] = static_cast<std::uint16_t>(is_known[y] | met << x);
+      count += met;
+    }
+  }
+  archive->SaveBytes(is_known.data(), sizeof is_known);
+  archive->SaveBytes(tile.occupied.data(), sizeof tile.occupied);
+  archive->SaveBytes(known.data(), count * sizeof known[0]);
+}
+
+inline void LoadTile(LoadArchive* archive, map::Tile* tile) {
+  std::array<std::uint16_t, map::Tile::kSize> is_known;
+  archive->LoadBytes(is_known.data(), sizeof is_known);
+  archive->LoadBytes(tile->occupied.data(), sizeof tile->occupied);
+  for (int y = 0; y < map::Tile::kSize; ++y) {
+    for (unsigned rest = is_known[y]; rest != 0; rest &= rest - 1) {
+      archive->LoadBytes(&tile->cell(std::countr_zero(rest), y), sizeof(map::Cell));
+    }
+  }
+}
+
 // Tiles that several maps share are written once, and shared again by those that read them.
 inline void save(SaveArchive& archive, const map::TilePtr& tile) {
   const auto [number, is_new] = archive.NumberOf(tile.get());
   archive(number);
-  if (!is_new) return;
-  archive.SaveBytes(tile->cells.data(), sizeof tile->cells);
-  archive.SaveBytes(tile->occupied.data(), sizeof tile->occupied);
+  if (is_new) SaveTile(*tile, &archive);
 }
 inline void load(LoadArchive& archive, map::TilePtr& tile) {
   std::uint32_t number = 0;
@@ -84,8 +114,7 @@ inline void load(LoadArchive& archive, map::TilePtr& tile) {
   if (number > tiles.size() + 1) throw std::runtime_error("a tile without its cells");
   if (number == tiles.size() + 1) {
     tiles.emplace_back(new map::Tile);
-    archive.LoadBytes(tiles.back()->cells.data(), sizeof(map::Tile::cells));
-    archive.LoadBytes(tiles.back()->occupied.data(), sizeof(map::Tile::occupied));
+    LoadTile(&archive, tiles.back().get());
   }
   tile = tiles[number - 1];
 }

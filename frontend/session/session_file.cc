@@ -3,12 +3,12 @@
 
 #include <zstd.h>
 
-#include <array>
 #include <boost/crc.hpp>
 #include <cereal/types/map.hpp>
 #include <cereal/types/string.hpp>
 #include <iterator>
-#include <span>
+#include <memory>
+#include <new>
 #include <stdexcept>
 #include <string_view>
 
@@ -38,19 +38,37 @@ std::uint32_t Checksum(const Header& header, std::string_view compressed) {
   return crc.checksum();
 }
 
+// Of both, one after the other, without a copy of them.
+std::string Compressed(std::string_view first, std::string_view second) {
+  const std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context(ZSTD_createCCtx(),
+                                                                     &ZSTD_freeCCtx);
+  if (context == nullptr) throw std::bad_alloc();
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kCompressionLevel);
+  std::string compressed(ZSTD_compressBound(first.size() + second.size()), '\0');
+  ZSTD_outBuffer out{compressed.data(), compressed.size(), 0};
+  const auto feed = [&](std::string_view piece, ZSTD_EndDirective then) {
+    ZSTD_inBuffer in{piece.data(), piece.size(), 0};
+    for (std::size_t left = 1; left > 0 || in.pos < in.size;) {
+      left = ZSTD_compressStream2(context.get(), &out, &in, then);
+      if (ZSTD_isError(left)) throw std::runtime_error(ZSTD_getErrorName(left));
+      if (then == ZSTD_e_continue && in.pos == in.size) break;
+    }
+  };
+  feed(first, ZSTD_e_continue);
+  feed(second, ZSTD_e_end);
+  compressed.resize(out.pos);
+  return compressed;
+}
+
 }  // namespace
 
 void WriteSession(const Session& session, std::ostream* out) {
   SaveArchive archive;
   archive(session.info);
-  std::string content = archive.TakeBytes();
-  content += session.state;
-  std::string compressed(ZSTD_compressBound(content.size()), '\0');
-  const std::size_t size = ZSTD_compress(compressed.data(), compressed.size(), content.data(),
-                                         content.size(), kCompressionLevel);
-  if (ZSTD_isError(size)) throw std::runtime_error(ZSTD_getErrorName(size));
-  compressed.resize(size);
-  Header header{.compressed_size = compressed.size(), .size = content.size()};
+  const std::string info = archive.TakeBytes();
+  const std::size_t size = info.size() + session.state.size();
+  const std::string compressed = Compressed(info, session.state);
+  Header header{.compressed_size = compressed.size(), .size = size};
   header.checksum = Checksum(header, compressed);
   *out << kMagic;
   out->write(reinterpret_cast<const char*>(&header), sizeof header);

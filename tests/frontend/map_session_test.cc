@@ -33,7 +33,8 @@ class MapSessionTest : public testing::Test {
     for (std::size_t k = 0; k < scans.size(); ++k) {
       const SE2 motion = k > 0 ? Between(scans[k - 1].odom_T_robot, scans[k].odom_T_robot) : SE2{};
       const auto closure =
-          session->AddScan(scans[k], motion, 100, Between(scans[k].odom_T_robot, world_T_node));
+          session->AddScan(scans[k], motion, 100, Between(scans[k].odom_T_robot, world_T_node))
+              .closure;
       if (closure) return closure;
     }
     return std::nullopt;

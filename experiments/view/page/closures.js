@@ -12,11 +12,13 @@ const REASONS = {
   mahalanobis: "Refused: farther off than the graph's uncertainty allows.",
   rival: "Refused: the map repeats itself by about as much as the estimate would be moved.",
   unconfirmed: "Not accepted: not enough other closures agree (yet).",
+  rejected: "Refused by hand.",
   released: "Taken back: it was accepted, and the optimized graph contradicts it.",
 };
 
 const SOURCES = {
   near: "near by the estimate", place: "the place looks alike",
+  hand: "added by hand",
   followed: "near if a closure found on the way is right",
 };
 

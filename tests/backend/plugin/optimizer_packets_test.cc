@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "backend/plugin/packet.h"
+#include "backend/packet.h"
 
 namespace gmapping_spa::backend {
 namespace {

@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "backend/plugin/packet.h"
+#include "backend/packet.h"
 
 namespace gmapping_spa::backend {
 namespace {

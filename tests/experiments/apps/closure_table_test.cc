@@ -8,8 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "tests/message_of.h"
-
 namespace gmapping_spa::apps {
 namespace {
 
@@ -32,6 +30,18 @@ std::vector<ClosureRecord> RecordsOf(const std::vector<Verdict>& verdicts) {
   return records;
 }
 
+TEST(WriteClosures, TellsWhatWasFoundFromWhatSomebodyDecided) {
+  ClosureRecord overruled, added;
+  overruled.is_by_hand = added.is_by_hand = true;
+  overruled.verdict = Verdict::kRejected;
+  overruled.overruled_verdict = added.verdict = Verdict::kAccepted;
+  added.source = loop_closure::Source::kHand;
+  std::ostringstream out;
+  WriteClosures({overruled, added}, Nodes(1), out);
+  EXPECT_NE(out.str().find(",near,accepted,rejected\n"), std::string::npos) << out.str();
+  EXPECT_NE(out.str().find(",hand,,accepted\n"), std::string::npos) << out.str();
+}
+
 TEST(WriteClosures, WritesALineForEachCandidate) {
   ClosureRecord record;
   record.old_node = 1;
@@ -46,6 +56,7 @@ TEST(WriteClosures, WritesALineForEachCandidate) {
   record.mahalanobis_sq = 2.25;
   record.old_T_node = {-1.25, 0.5, 0.0625};
   record.source = loop_closure::Source::kFollowed;
+  record.information.diagonal() << 100, 200, 0.1;
   record.verdict = Verdict::kAccepted;
   ClosureRecord refused;
   refused.node = 3;
@@ -55,11 +66,12 @@ TEST(WriteClosures, WritesALineForEachCandidate) {
   EXPECT_EQ(out.str(),
             "old_node,node,old_stamp_s,stamp_s,path_length_m,distance_m,score,runner_up_score,"
             "overlap,inlier_ratio,"
-            "mutual_inlier_ratio,mahalanobis_sq,x_m,y_m,theta_rad,source,verdict\n"
+            "mutual_inlier_ratio,mahalanobis_sq,x_m,y_m,theta_rad,I11,I12,I13,I22,I23,I33,source,"
+            "found,verdict\n"
             "1,4,1000000000.500000,1000000002.000000,48.250,1.500,0.750,0.500,0.625,0.875,0.750,"
-            "2.250,-1.2500,0.5000,0.0625,followed,accepted\n"
+            "2.250,-1.25,0.5,0.0625,100,0,0,200,0,0.1,followed,accepted,accepted\n"
             "0,3,1000000000.000000,1000000001.500000,0.000,0.000,0.000,0.000,0.000,0.000,0.000,"
-            "0.000,0.0000,0.0000,0.0000,near,overlap\n");
+            "0.000,0,0,0,0,0,0,0,0,0,near,overlap,overlap\n");
 }
 
 TEST(WriteClosures, WritesTheHeaderAloneWithoutCandidates) {
@@ -73,46 +85,6 @@ TEST(WriteClosures, NeedsTheNodes) {
   record.node = 5;
   std::ostringstream out;
   EXPECT_THROW(WriteClosures({record}, Nodes(5), out), std::out_of_range);
-}
-
-std::string MessageOfReading(const std::string& text) {
-  std::istringstream in(text);
-  return MessageOf([&] { ReadClosures(in, "table", 5); });
-}
-
-TEST(ReadClosures, GivesBackWhatWasWritten) {
-  ClosureRecord record;
-  record.old_node = 1;
-  record.node = 4;
-  record.path_length_m = 48.25;
-  record.mahalanobis_sq = 2.25;
-  record.old_T_node = {-1.25, 0.5, 0.0625};
-  record.source = loop_closure::Source::kFollowed;
-  record.verdict = Verdict::kRival;
-  std::stringstream table;
-  WriteClosures({record, ClosureRecord{}}, Nodes(5), table);
-  const std::vector<ClosureRecord> read = ReadClosures(table, "table", 5);
-  ASSERT_EQ(read.size(), 2U);
-  EXPECT_EQ(read[0].old_node, 1);
-  EXPECT_EQ(read[0].node, 4);
-  EXPECT_EQ(read[0].path_length_m, 48.25);
-  EXPECT_EQ(read[0].mahalanobis_sq, 2.25);
-  EXPECT_EQ(read[0].old_T_node, record.old_T_node);
-  EXPECT_EQ(read[0].source, loop_closure::Source::kFollowed);
-  EXPECT_EQ(read[0].verdict, Verdict::kRival);
-  EXPECT_EQ(read[1].verdict, Verdict::kNoMatch);
-}
-
-TEST(ReadClosures, SaysWhereATableIsBroken) {
-  std::ostringstream header;
-  WriteClosures({}, {}, header);
-  const std::string begin = header.str() + "0,1,";
-  EXPECT_EQ(MessageOfReading("x\n"), "table:1: expected the header of loop closures, found 'x'");
-  EXPECT_EQ(MessageOfReading(header.str() + "0,5,"), "table:2: expected a node, found '5'");
-  EXPECT_EQ(MessageOfReading(begin + "0,0,y"), "table:2: expected a number, found 'y'");
-  EXPECT_EQ(MessageOfReading(begin + "0,0,0,0,0,0,0,0,0,0,0,0,0,near,maybe"),
-            "table:2: expected a source and a verdict, found 'maybe'");
-  EXPECT_EQ(MessageOfReading(begin), "table:2: expected a number, found ''");
 }
 
 TEST(CountClosures, CountsByWhatBecameOfThem) {

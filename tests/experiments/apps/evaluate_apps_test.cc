@@ -109,6 +109,25 @@ TEST_F(EvaluateTrajectoryApp, AlignmentAndStepAreChosenByFlags) {
   EXPECT_EQ(json["rpe"]["pairs"], 1);
 }
 
+TEST_F(EvaluateTrajectoryApp, KittiGivesTheErrorsOfTum) {
+  const std::string kitti = folder_.FileWith(
+      "kitti.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 1 0 1 0 0 0 0 1 0\n1 0 0 1 0 1 0 1 0 0 1 0\n");
+  const std::string off = folder_.FileWith(
+      "off.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 2 0 1 0 0 0 0 1 0\n1 0 0 1 0 1 0 2 0 0 1 0\n");
+  const std::string off_tum =
+      folder_.FileWith("off.tum", "0 0 0 0 0 0 0 1\n1 2 0 0 0 0 0 1\n2 1 2 0 0 0 0 1\n");
+  const auto expected = nlohmann::json::parse(
+      RunCommand({EVALUATE_TRAJECTORY, "--truth=" + poses_, "--trajectory=" + off_tum}).out);
+  const auto found = nlohmann::json::parse(
+      RunCommand({EVALUATE_TRAJECTORY, "--truth=" + kitti, "--trajectory=" + off}).out);
+  EXPECT_EQ(found["ate"], expected["ate"]);
+  EXPECT_EQ(found["rpe"], expected["rpe"]);
+  EXPECT_EQ(
+      ErrorOf({EVALUATE_TRAJECTORY, "--truth=" + kitti, "--trajectory=" + off, "--rpe_unit=s"}),
+      "evaluate_trajectory: error: --rpe_unit=s: expected files with stamps (TUM), found " + kitti +
+          " without (KITTI)\n");
+}
+
 TEST_F(EvaluateTrajectoryApp, BadInputAndBadFlagsAreOneLine) {
   const std::string truth = "--truth=" + poses_, poses = "--trajectory=" + poses_;
   EXPECT_THAT(ErrorOf({EVALUATE_TRAJECTORY, poses}), HasSubstr("--truth"));

@@ -25,7 +25,9 @@
 namespace gmapping_spa::apps {
 
 inline const std::vector<std::string> kByteIdentical = {
-    "trajectory.tum", "map.pgm", "map.yaml", "map.png", "graph.g2o", "loop_closures.csv"};
+    "trajectory.tum", "trajectory.kitti", "times.txt",    "map.pgm",
+    "map.yaml",       "map.png",          "map.pngw",     "map_cells.png",
+    "map_cells.pngw", "graph.g2o",        "graph.stamps", "loop_closures.csv"};
 
 inline std::string Contents(const std::string& path) {
   std::ifstream in(path, std::ios::binary);

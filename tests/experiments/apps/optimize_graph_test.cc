@@ -72,6 +72,31 @@ TEST_F(OptimizeGraph, WritesThePosesItGotWithoutABackEnd) {
   EXPECT_EQ(text(output), text(again));
 }
 
+TEST_F(OptimizeGraph, StampsBesideTheInputComeOutBesideTheOutput) {
+  folder_.FileWith("square.stamps", "0 10\n1 976052857.33753\n2 30\n3 40.5\n");
+  const std::string output = folder_.Path("out.g2o"), stamps = folder_.Path("out.stamps");
+  const CommandResult result = Run({"--input=" + graph_, "--output=" + output});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(nlohmann::json::parse(result.out)["has_stamps"], true);
+  std::ifstream file(stamps);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}),
+            "0 10\n1 976052857.33753\n2 30\n3 40.5\n");
+
+  folder_.FileWith("square.stamps", "0 10\n7 5\n");
+  EXPECT_EQ(ErrorOf({"--input=" + graph_, "--output=" + output}),
+            "optimize_graph: error: " + folder_.Path("square.stamps") +
+                ":2: expected the id of a node, found 7\n");
+}
+
+TEST_F(OptimizeGraph, AGraphWithoutStampsDoesNotTakeThoseOfAnother) {
+  const std::string output = folder_.Path("out.g2o"), stamps = folder_.FileWith("out.stamps", "");
+  EXPECT_EQ(ErrorOf({"--input=" + graph_, "--output=" + output}),
+            "optimize_graph: error: " + stamps +
+                ": expected no such file, which would be taken for the stamps of " + output + ": " +
+                graph_ + " has none\n");
+  EXPECT_FALSE(std::filesystem::exists(output));
+}
+
 TEST_F(OptimizeGraph, DrawsAPicture) {
   const std::string png = folder_.Path("graph.png");
   ASSERT_EQ(Run({"--input=" + graph_, "--png=" + png}).status, 0);

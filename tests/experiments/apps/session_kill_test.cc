@@ -19,7 +19,7 @@ class KilledTour : public GmappingSpaTour {
  protected:
   // A run that takes seconds.
   std::vector<std::string> Slow(const std::string& output_dir) const {
-    return Command(output_dir, {"--particles=20", "--linear_update_m=0.1"});
+    return Command(output_dir, {"--particles=10", "--linear_update_m=0.1"});
   }
 
   const std::string whole_ = folder_.Path("whole"), out_ = folder_.Path("out"),

@@ -58,5 +58,34 @@ TEST_F(TrajectoryFiles, StampsOfBothFilesAreToldWhereNoneFits) {
           "clock)"));
 }
 
+TEST_F(TrajectoryFiles, TwelveColumnsAreKitti) {
+  const TrajectoryFile file = ReadTumOrKittiFile(
+      folder_.FileWith("a.txt", "# pose\n1 0 0 5 0 1 0 6 0 0 1 0\n1 0 0 7 0 1 0 6 0 0 1 0\n"));
+  EXPECT_FALSE(file.has_stamps);
+  ASSERT_THAT(file.poses, SizeIs(2));
+  EXPECT_EQ(file.poses[1].world_T_robot.x, 7.0);
+  EXPECT_TRUE(ReadTumOrKittiFile(folder_.FileWith("b.tum", "1 2 3 0 0 0 0 1\n")).has_stamps);
+  EXPECT_THAT([&] { ReadTumOrKittiFile(folder_.FileWith("c", "1 2\n")); },
+              ThrowsMessage<std::runtime_error>(
+                  folder_.Path("c") + ":1: expected 8 columns (stamp x y z qx qy qz qw), found 2"));
+}
+
+TEST_F(TrajectoryFiles, PosesWithoutStampsBelongTogetherByTheirNumber) {
+  TrajectoryFile truth{"t.txt", {{0, {1, 0, 0}}, {1, {2, 0, 0}}}, false};
+  TrajectoryFile estimate{"e.txt", {{0, {3, 0, 0}}, {1, {4, 0, 0}}}, false};
+  const auto pairs = AssociateFiles(truth, estimate, 0.01);
+  ASSERT_THAT(pairs, SizeIs(2));
+  EXPECT_EQ(pairs[1].estimate_T_robot.x, 4.0);
+
+  estimate.poses.pop_back();
+  EXPECT_THAT([&] { AssociateFiles(truth, estimate, 0.01); },
+              ThrowsMessage<std::runtime_error>("e.txt: expected as many poses as in t.txt, 2, as "
+                                                "they have no stamps, found 1"));
+  truth.has_stamps = true;
+  EXPECT_THAT([&] { AssociateFiles(truth, estimate, 0.01); },
+              ThrowsMessage<std::runtime_error>("e.txt: has no stamps (KITTI), and t.txt has "
+                                                "(TUM): expected two files of one format"));
+}
+
 }  // namespace
 }  // namespace gmapping_spa::apps

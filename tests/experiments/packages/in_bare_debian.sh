@@ -13,7 +13,7 @@ install /packages/gmapping-spa_*.deb
 gmapping_spa --version
 cd "$(mktemp -d)"
 data=/usr/share/gmapping_spa
-for program in gmapping_spa inspect_log optimize_graph simulate simulate_slam evaluate_relations \
+for program in gmapping_spa convert_log edit_closures inspect_log optimize_graph simulate simulate_slam evaluate_relations \
   evaluate_trajectory evaluate_map; do
   "$program" --help >/dev/null
   test -s "/usr/share/man/man1/$program.1" || test -s "/usr/share/man/man1/$program.1.gz"
@@ -49,8 +49,22 @@ examples/optimize_a_graph >square.g2o
 optimize_graph --input=square.g2o \
   --backend="$PWD/back_end/libgmapping_spa_dense_gauss_newton.so" --loss=none >dense.json
 
+step "the Python package"
+install /packages/python3-gmapping-spa_*.deb
+python3 - <<'PYTHON'
+import gmapping_spa
+
+assert {"ceres", "none", "spa"} <= {back_end["name"] for back_end in gmapping_spa.list_backends()}
+slam = gmapping_spa.Slam()
+for scan in gmapping_spa.CarmenLog("simulated/log.clf"):
+    slam.add_scan(scan)
+slam.finish()
+gmapping_spa.write_g2o("python.g2o", slam.graph)
+PYTHON
+cmp python.g2o slam/graph.g2o
+
 step "removed, nothing is left"
-apt-get remove -y -qq gmapping-spa libgmapping-spa-dev >/dev/null
+apt-get remove -y -qq gmapping-spa libgmapping-spa-dev python3-gmapping-spa >/dev/null
 left=$(find /usr -name '*gmapping*')
 [[ -z $left ]] || {
   echo "expected no file of the packages, found $left" >&2

@@ -23,7 +23,7 @@ Outcome Localize(const map::OccupancyGrid& map, const std::vector<sensor::LaserS
   Localizer localizer({}, &map);
   for (std::size_t k = 0; k < scans.size(); ++k) {
     const SE2 motion = k > 0 ? Between(scans[k - 1].odom_T_robot, scans[k].odom_T_robot) : SE2{};
-    if (const auto located = localizer.AddScan(scans[k], motion)) return {located, k};
+    if (const auto located = localizer.AddScan(scans[k], motion).located) return {located, k};
   }
   return {};
 }
@@ -50,10 +50,10 @@ synthetic::Walls TwinRooms() {
   return walls;
 }
 
-TEST(Localizer, FindsARobotOnItsFirstMeterAnywhereInTheHall) {
+TEST(Localizer, FindsARobotOnItsFirstMetersAnywhereInTheHall) {
   const map::OccupancyGrid map = synthetic::MapOf(synthetic::Hall());
   for (double from_m = 0.0; from_m < 46.0; from_m += 3.7) {
-    const auto scans = synthetic::Driven(synthetic::Hall(), from_m, from_m + 1.0);
+    const auto scans = synthetic::Driven(synthetic::Hall(), from_m, from_m + 3.5);
     const Outcome outcome = Localize(map, scans);
     ASSERT_TRUE(outcome.located) << from_m;
     const SE2 off = Between(scans[outcome.scan].odom_T_robot, outcome.located->map_T_robot);
@@ -86,7 +86,8 @@ TEST(Localizer, OfTwinRoomsItBelievesNeither) {
   }
   Localizer localizer({}, &map);
   for (double x = -11.0; x < 11.0; x += 0.1) {
-    EXPECT_FALSE(localizer.AddScan(scan_at({x, 0, 0}), x > -11.0 ? SE2{0.1, 0, 0} : SE2{})) << x;
+    EXPECT_FALSE(localizer.AddScan(scan_at({x, 0, 0}), x > -11.0 ? SE2{0.1, 0, 0} : SE2{}).located)
+        << x;
   }
 }
 
@@ -100,12 +101,47 @@ TEST(Localizer, RestartedItKnowsNothingOfBefore) {
   const auto scans = synthetic::Driven(synthetic::Hall(), 12.0, 13.0);
   std::optional<Located> located;
   for (std::size_t k = 0; k < scans.size() && !located; ++k) {
-    located = localizer.AddScan(
-        scans[k], k > 0 ? Between(scans[k - 1].odom_T_robot, scans[k].odom_T_robot) : SE2{});
+    located =
+        localizer
+            .AddScan(scans[k],
+                     k > 0 ? Between(scans[k - 1].odom_T_robot, scans[k].odom_T_robot) : SE2{})
+            .located;
   }
   ASSERT_TRUE(located);
   EXPECT_LT((located->map_T_robot.translation() - scans.back().odom_T_robot.translation()).norm(),
             1.1);
+}
+
+// Found in the hall, then carried into another building behind its back.
+TEST(Localizer, WhatIsSeenAfterwardsMayTakeItBack) {
+  const map::OccupancyGrid map = synthetic::MapOf(synthetic::Hall());
+  Localizer localizer({}, &map);
+  const auto scans = synthetic::Driven(synthetic::Hall(), 12.0, 14.0);
+  for (std::size_t k = 0; k < scans.size() && localizer.searches(); ++k) {
+    localizer.AddScan(scans[k],
+                      k > 0 ? Between(scans[k - 1].odom_T_robot, scans[k].odom_T_robot) : SE2{});
+  }
+  ASSERT_FALSE(localizer.searches());
+  bool taken_back = false;
+  for (const sensor::LaserScan& scan : synthetic::Driven(synthetic::Ring(), 0.0, 4.0)) {
+    taken_back = taken_back || localizer.AddScan(scan, {0.1, 0, 0}).taken_back;
+  }
+  EXPECT_TRUE(taken_back);
+  EXPECT_TRUE(localizer.searches());
+}
+
+TEST(Localizer, ARobotThatDrivesOnWhereItWasFoundIsNotTakenBack) {
+  const map::OccupancyGrid map = synthetic::MapOf(synthetic::Hall());
+  Localizer localizer({}, &map);
+  const auto scans = synthetic::Driven(synthetic::Hall(), 12.0, 24.0);
+  int located = 0;
+  for (std::size_t k = 0; k < scans.size(); ++k) {
+    const Localizer::Outcome outcome = localizer.AddScan(
+        scans[k], k > 0 ? Between(scans[k - 1].odom_T_robot, scans[k].odom_T_robot) : SE2{});
+    located += outcome.located ? 1 : 0;
+    EXPECT_FALSE(outcome.taken_back) << k;
+  }
+  EXPECT_EQ(located, 1);
 }
 
 }  // namespace

@@ -20,7 +20,14 @@ TEST(VerdictName, IsWhatTheFilesSay) {
   EXPECT_STREQ(VerdictName(Verdict::kRival), "rival");
   EXPECT_STREQ(VerdictName(Verdict::kUnconfirmed), "unconfirmed");
   EXPECT_STREQ(VerdictName(Verdict::kReleased), "released");
+  EXPECT_STREQ(VerdictName(Verdict::kRejected), "rejected");
   EXPECT_STREQ(VerdictName(Verdict::kAccepted), "accepted");
+}
+
+TEST(VerdictName, IsReadBack) {
+  EXPECT_EQ(VerdictNamed("released"), Verdict::kReleased);
+  EXPECT_EQ(VerdictNamed("release"), std::nullopt);
+  EXPECT_EQ(SourceNamed("hand"), Source::kHand);
 }
 
 TEST(VerdictName, OfNoVerdictIsUnknown) {
@@ -31,6 +38,7 @@ TEST(SourceName, IsWhatTheTableSays) {
   EXPECT_STREQ(SourceName(Source::kNear), "near");
   EXPECT_STREQ(SourceName(Source::kPlace), "place");
   EXPECT_STREQ(SourceName(Source::kFollowed), "followed");
+  EXPECT_STREQ(SourceName(Source::kHand), "hand");
   EXPECT_STREQ(SourceName(static_cast<Source>(200)), "unknown");
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values as bytes, for two processes of the same build.
-#ifndef GMAPPING_SPA_BACKEND_PLUGIN_PACKET_H_
-#define GMAPPING_SPA_BACKEND_PLUGIN_PACKET_H_
+// Values as bytes, for another process of the same build or one that comes later.
+#ifndef GMAPPING_SPA_BACKEND_PACKET_H_
+#define GMAPPING_SPA_BACKEND_PACKET_H_
 
 #include <cstddef>
 #include <cstring>
@@ -90,4 +90,4 @@ class PacketReader {
 
 }  // namespace gmapping_spa::backend
 
-#endif  // GMAPPING_SPA_BACKEND_PLUGIN_PACKET_H_
+#endif  // GMAPPING_SPA_BACKEND_PACKET_H_
