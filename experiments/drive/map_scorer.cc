@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/drive/map_scorer.h"
 
-#include <stdexcept>
+#include <algorithm>
 #include <vector>
 
 #include "experiments/metrics/association.h"
@@ -35,9 +35,9 @@ MapScore MapScorer::Score(const backend::Trajectory& trajectory, const map::Occu
                           double occupied_threshold) {
   const std::lock_guard lock(mutex_);
   const std::size_t steps = tour_->steps();
-  const backend::Trajectory news = tour_->TrueTrajectory(steps_);
+  const backend::Trajectory news = tour_->TrueTrajectory(steps_, steps);
   true_poses_.insert(true_poses_.end(), news.begin(), news.end());
-  steps_ += news.size();
+  steps_ = steps;
   MapScore score;
   score.stamp_s = trajectory.back().stamp_s;
   const std::vector<metrics::PosePair> pairs =

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -79,10 +78,10 @@ void RecordedTour::Play(std::size_t from, std::size_t to, simulation::LogSink* s
   }
 }
 
-backend::Trajectory RecordedTour::TrueTrajectory(std::size_t from) const {
+backend::Trajectory RecordedTour::TrueTrajectory(std::size_t from, std::size_t to) const {
   const std::lock_guard lock(mutex_);
   backend::Trajectory trajectory;
-  for (std::size_t i = from; i < steps_.size(); ++i) {
+  for (std::size_t i = from; i < to; ++i) {
     if (!steps_[i].ranges_mm.empty()) trajectory.push_back(steps_[i].truth);
   }
   return trajectory;

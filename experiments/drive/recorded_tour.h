@@ -34,8 +34,8 @@ class RecordedTour {
   // Hands the readings of the steps [from, to) to `sink`, as they were.
   void Play(std::size_t from, std::size_t to, simulation::LogSink* sink) const;
 
-  // world_T_robot at the scans of the steps from `from` on.
-  backend::Trajectory TrueTrajectory(std::size_t from = 0) const;
+  // world_T_robot at the scans of the steps [from, to).
+  backend::Trajectory TrueTrajectory(std::size_t from, std::size_t to) const;
 
   // A line a command, with as many digits as it takes to read the same numbers again.
   void WriteCommands(std::ostream& out) const;
