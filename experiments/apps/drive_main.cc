@@ -100,14 +100,13 @@ drive::DriveSetup SetupFromFlags(const SimulationSetup& setup, double occupied_t
                           .make_variant = MakeVariant,
                           .save = {},
                           .is_asked_to_stop = [] { return ReceivedSignal() != 0; }};
-  drive.title = {
-      .world = std::filesystem::path(setup.input_files.at("world")).stem().string(),
-      .world_T_start =
-          simulation::WayPointFollower(setup.way_points, setup.options.follower).Start(),
-      .robot_radius_m = setup.options.robot_radius_m,
-      .truth_resolution_m = setup.truth.resolution_m,
-      .map_resolution_m = SlamOptionsFromFlags().resolution_m,
-      .backends = BackEnds()};
+  drive.title = {.world = std::filesystem::path(setup.input_files.at("world")).stem().string(),
+                 .world_T_start =
+                     simulation::WayPointFollower(setup.way_points, setup.options.follower).Start(),
+                 .robot_radius_m = setup.options.robot_radius_m,
+                 .truth_resolution_m = setup.truth.resolution_m,
+                 .map_resolution_m = SlamOptionsFromFlags().resolution_m,
+                 .backends = BackEnds()};
   drive.save = [&setup, occupied_threshold](const drive::DriveSession& session,
                                             const drive::VariantResults& results) {
     if (FLAGS_output_dir.empty()) throw std::runtime_error("--output_dir=DIR is missing");

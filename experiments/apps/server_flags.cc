@@ -9,9 +9,10 @@
 #include "experiments/apps/flag_checks.h"
 
 DEFINE_int32(view_port, 8080, "Port of the page, from 0; 0 takes one that is free.");
-DEFINE_string(view_address, "127.0.0.1",
-              "Address of this machine, in numbers, at which the page is served. The default is for "
-              "this machine alone; 0.0.0.0 is for everybody who can reach it, without a password.");
+DEFINE_string(
+    view_address, "127.0.0.1",
+    "Address of this machine, in numbers, at which the page is served. The default is for "
+    "this machine alone; 0.0.0.0 is for everybody who can reach it, without a password.");
 
 namespace gmapping_spa::apps {
 

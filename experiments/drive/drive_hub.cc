@@ -64,9 +64,8 @@ DriveHub::DriveHub(DriveTitle title, const map::TrinaryMap& truth, DriveControls
 }
 
 std::vector<view::Protocol> DriveHub::Protocols() {
-  return {{.name = "gmapping_spa.drive.v1", .begin = [this](view::Peer* peer) {
-             return std::make_unique<Page>(peer, this);
-           }}};
+  return {{.name = "gmapping_spa.drive.v1",
+           .begin = [this](view::Peer* peer) { return std::make_unique<Page>(peer, this); }}};
 }
 
 void DriveHub::Tell(const view::Messages& messages) const {

@@ -111,21 +111,21 @@ view::MessagePtr HelloMessage(const std::string& session, const DriveTitle& titl
 view::MessagePtr StatusMessage(const DriveStatus& status) {
   json walkers = json::array();
   for (const simulation::Rectangle& walker : status.walkers) walkers.push_back(WalkerJson(walker));
-  return Dumped({{"op", "status"},
-                 {"state", status.state},
-                 {"note", status.note},
-                 {"time_s", Seconds(status.time_s)},
-                 {"path_m", Millimeters(status.path_m)},
-                 {"pose", PoseJson(status.world_T_robot)},
-                 {"odometry", PoseJson(status.world_T_odometry)},
-                 {"velocity",
-                  {Millimeters(status.velocity.linear_m_s),
-                   Millimeters(status.velocity.angular_rad_s)}},
-                 {"blocked_by", status.blocked_by},
-                 {"way", PointsJson(status.way)},
-                 {"walkers", std::move(walkers)},
-                 {"noise", status.odometry_noise},
-                 {"slips", status.slips_per_m}});
+  return Dumped(
+      {{"op", "status"},
+       {"state", status.state},
+       {"note", status.note},
+       {"time_s", Seconds(status.time_s)},
+       {"path_m", Millimeters(status.path_m)},
+       {"pose", PoseJson(status.world_T_robot)},
+       {"odometry", PoseJson(status.world_T_odometry)},
+       {"velocity",
+        {Millimeters(status.velocity.linear_m_s), Millimeters(status.velocity.angular_rad_s)}},
+       {"blocked_by", status.blocked_by},
+       {"way", PointsJson(status.way)},
+       {"walkers", std::move(walkers)},
+       {"noise", status.odometry_noise},
+       {"slips", status.slips_per_m}});
 }
 
 view::MessagePtr VariantsMessage(const VariantStatuses& variants) {

@@ -16,8 +16,8 @@ namespace gmapping_spa::drive {
 namespace {
 
 constexpr auto kPeriod = std::chrono::milliseconds(100);  // of what is shown
-constexpr double kStandS = 5.0;   // then the time stands still, too
-constexpr double kPatienceS = 3.0;  // with what is in the way
+constexpr double kStandS = 5.0;                           // then the time stands still, too
+constexpr double kPatienceS = 3.0;                        // with what is in the way
 constexpr auto kFarBehind = std::chrono::milliseconds(500);
 
 // The page's own, and of those of the live view all that it does not replace.
@@ -54,7 +54,6 @@ DriveSession::DriveSession(DriveSetup setup, const VariantChoice& first)
                  .slips_per_m = setup_.options.odometry.slips_per_m}),
       tour_(setup_.options.lidar),
       robot_(&setup_.scene, setup_.title.world_T_start, setup_.options),
-      scorer_(&setup_.truth, &tour_, setup_.options.lidar.max_range_m),
       hub_(setup_.title, setup_.truth, &controls_),
       server_(setup_.server, AllPageFiles(), hub_.Protocols()),
       standing_s_(kStandS),
@@ -88,11 +87,11 @@ void DriveSession::AddVariant(const VariantChoice& choice) {
   listener.on_snapshot = [this, throttle, run](view::Snapshot snapshot) {
     throttle->is_on_its_way = true;
     throttle->published = std::chrono::steady_clock::now();
-    server_.Post([this, throttle, run,
-                  shared = std::make_shared<view::Snapshot>(std::move(snapshot))] {
-      hub_.Apply(run, std::move(*shared));
-      throttle->is_on_its_way = false;
-    });
+    server_.Post(
+        [this, throttle, run, shared = std::make_shared<view::Snapshot>(std::move(snapshot))] {
+          hub_.Apply(run, std::move(*shared));
+          throttle->is_on_its_way = false;
+        });
   };
   listener.on_score = [this, run](const MapScore& score) {
     server_.Post([this, run, score] { hub_.SetScore(run, score); });
@@ -102,7 +101,8 @@ void DriveSession::AddVariant(const VariantChoice& choice) {
   };
   server_.Post([this, run, choice] { hub_.AddVariant(run, choice); });
   variants_[run] =
-      std::make_unique<SlamVariant>(std::move(variant), &tour_, &scorer_, std::move(listener));
+      std::make_unique<SlamVariant>(std::move(variant), &tour_, &setup_.truth,
+                                    setup_.options.lidar.max_range_m, std::move(listener));
 }
 
 void DriveSession::RemoveVariant(int run) {
@@ -133,9 +133,8 @@ bool DriveSession::Drives(const DriveWishes& wishes) {
 }
 
 DriveCommand DriveSession::CommandOf(const DriveWishes& wishes) {
-  simulation::BodyVelocity velocity = {
-      wishes.forward * setup_.options.follower.max_speed_m_s,
-      wishes.left * setup_.options.follower.max_turn_rate_rad_s};
+  simulation::BodyVelocity velocity = {wishes.forward * setup_.options.follower.max_speed_m_s,
+                                       wishes.left * setup_.options.follower.max_turn_rate_rad_s};
   if (follower_) velocity = follower_->Next(robot_.world_T_robot(), robot_.scan_period_s());
   return {velocity, odometry_noise_, slips_per_m_};
 }
@@ -197,6 +196,7 @@ void DriveSession::Save() {
   try {
     note_ = setup_.save(*this, results);
     saved_steps_ = tour_.steps();
+    standing_s_ = kStandS;  // maps that are finished stay until somebody drives on
   } catch (const std::exception& error) {
     note_ = std::string("not saved: ") + error.what();
   }

@@ -16,7 +16,6 @@
 #include "experiments/drive/drive_controls.h"
 #include "experiments/drive/drive_hub.h"
 #include "experiments/drive/driven_robot.h"
-#include "experiments/drive/map_scorer.h"
 #include "experiments/drive/recorded_tour.h"
 #include "experiments/drive/slam_variant.h"
 #include "experiments/simulation/way_point_follower.h"
@@ -80,7 +79,6 @@ class DriveSession {
   DriveControls controls_;
   RecordedTour tour_;
   DrivenRobot robot_;
-  MapScorer scorer_;
   DriveHub hub_;
   view::ViewServer server_;  // ends before what its conversations use
   std::map<int, std::unique_ptr<SlamVariant>> variants_;

@@ -33,7 +33,6 @@ double ExtentM(const std::vector<metrics::PosePair>& pairs) {
 
 MapScore MapScorer::Score(const backend::Trajectory& trajectory, const map::OccupancyGrid& grid,
                           double occupied_threshold) {
-  const std::lock_guard lock(mutex_);
   const std::size_t steps = tour_->steps();
   const backend::Trajectory news = tour_->TrueTrajectory(steps_, steps);
   true_poses_.insert(true_poses_.end(), news.begin(), news.end());

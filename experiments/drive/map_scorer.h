@@ -4,7 +4,6 @@
 #define GMAPPING_SPA_EXPERIMENTS_DRIVE_MAP_SCORER_H_
 
 #include <cstddef>
-#include <mutex>
 #include <optional>
 
 #include "backend/graph/trajectory_io.h"
@@ -17,9 +16,9 @@ namespace gmapping_spa::drive {
 
 // Without a value is what cannot be measured yet.
 struct MapScore {
-  double stamp_s = 0.0;            // of the last scan
-  std::optional<double> ate_m;     // RMSE, aligned by SE(2)
-  std::optional<double> iou;       // of occupied cells and true surface
+  double stamp_s = 0.0;         // of the last scan
+  std::optional<double> ate_m;  // RMSE, aligned by SE(2)
+  std::optional<double> iou;    // of occupied cells and true surface
 };
 
 class MapScorer {
@@ -28,13 +27,12 @@ class MapScorer {
   MapScorer(const map::TrinaryMap* truth, const RecordedTour* tour, double max_range_m)
       : truth_(truth), tour_(tour), lookout_(truth, max_range_m) {}
 
-  // In any thread, one at a time. Against what could be seen up to the last pose of `trajectory`,
-  // or later ones that were scored before.
+  // Against what could be seen up to the last pose of `trajectory`, which does not end sooner than
+  // the one scored before.
   MapScore Score(const backend::Trajectory& trajectory, const map::OccupancyGrid& grid,
                  double occupied_threshold);
 
  private:
-  std::mutex mutex_;
   const map::TrinaryMap* truth_;
   const RecordedTour* tour_;
   backend::Trajectory true_poses_;

@@ -18,9 +18,13 @@ constexpr std::size_t kFarBehind = 50;  // scans
 
 }  // namespace
 
-SlamVariant::SlamVariant(VariantSetup setup, const RecordedTour* tour, MapScorer* scorer,
-                         VariantListener listener)
-    : setup_(std::move(setup)), tour_(tour), scorer_(scorer), listener_(std::move(listener)) {
+SlamVariant::SlamVariant(VariantSetup setup, const RecordedTour* tour, const map::TrinaryMap* truth,
+                         double max_range_m, VariantListener listener)
+    : setup_(std::move(setup)),
+      tour_(tour),
+      truth_(truth),
+      max_range_m_(max_range_m),
+      listener_(std::move(listener)) {
   thread_ = std::thread([this] { Run(); });
 }
 
@@ -56,6 +60,7 @@ void SlamVariant::Begin() {
       frontend::GmappingOptions(setup_.options), frontend::MakeScanMatcher(setup_.options),
       frontend::BindOptimizer(setup_.options, setup_.load_optimizer()));
   gmapping_->StopWaitingWhen([this] { return stops_.load(); });
+  scorer_ = std::make_unique<MapScorer>(truth_, tour_, max_range_m_);
   steps_ = 0;
   taken_ = shown_scans_ = scored_scans_ = 0;
 }
@@ -106,7 +111,8 @@ void SlamVariant::ScoreLatest() {
   scored_scans_ = taken_;
   const auto end = std::chrono::steady_clock::now();
   // Most of the time is for SLAM, however long the tour is.
-  next_score_ = end + std::max<std::chrono::steady_clock::duration>(kScorePeriod, 4 * (end - begin));
+  next_score_ =
+      end + std::max<std::chrono::steady_clock::duration>(kScorePeriod, 4 * (end - begin));
 }
 
 void SlamVariant::MakeResult() {

@@ -21,6 +21,7 @@
 #include "frontend/api/scan_result.h"
 #include "frontend/api/slam_options.h"
 #include "frontend/improved_gmapping.h"
+#include "frontend/map/trinary_map.h"
 #include "frontend/sensor/laser_scan.h"
 #include "frontend/slam_result.h"
 
@@ -59,9 +60,9 @@ struct VariantListener {
 
 class SlamVariant {
  public:
-  // `tour` and `scorer` outlive this.
-  SlamVariant(VariantSetup setup, const RecordedTour* tour, MapScorer* scorer,
-              VariantListener listener);
+  // Tour and truth, with what could be seen up to a range, outlive this.
+  SlamVariant(VariantSetup setup, const RecordedTour* tour, const map::TrinaryMap* truth,
+              double max_range_m, VariantListener listener);
   // Stops at the next scan.
   ~SlamVariant();
   SlamVariant(const SlamVariant&) = delete;
@@ -87,11 +88,13 @@ class SlamVariant {
 
   VariantSetup setup_;
   const RecordedTour* tour_;
-  MapScorer* scorer_;
+  const map::TrinaryMap* truth_;
+  double max_range_m_;
   VariantListener listener_;
 
   // Of the thread.
   std::unique_ptr<frontend::ImprovedGmapping> gmapping_;
+  std::unique_ptr<MapScorer> scorer_;
   std::size_t steps_ = 0;          // of the tour
   std::int64_t taken_ = 0;         // scans
   std::int64_t shown_scans_ = 0;   // taken when they were shown last

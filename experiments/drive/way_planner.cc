@@ -60,8 +60,7 @@ class Planner {
     return origin_ + kCellM * Eigen::Vector2d(cell % columns_ + 0.5, cell / columns_ + 0.5);
   }
   bool IsFree(const Eigen::Vector2d& point) const {
-    const bool is_near =
-        std::min((point - start_).norm(), (point - goal_).norm()) < kNearEndsM;
+    const bool is_near = std::min((point - start_).norm(), (point - goal_).norm()) < kNearEndsM;
     return !world_.FindContact(point, radius_m_ + (is_near ? 0.0 : kMarginM));
   }
   bool IsFreeCell(int cell) {

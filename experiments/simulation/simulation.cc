@@ -34,9 +34,8 @@ SimulationSummary Simulate(const Scene& world_scene, const WayPoints& way_points
                            const SimulationOptions& options, LogSink* sink) {
   std::vector<WayPoints> tours = {way_points};
   tours.insert(tours.end(), options.carried_to.begin(), options.carried_to.end());
-  const std::vector<MotionStep> motion =
-      DriveTours(tours, options.follower, RobotSensors::StepsPerSecond(options.lidar),
-                 options.carry_s);
+  const std::vector<MotionStep> motion = DriveTours(
+      tours, options.follower, RobotSensors::StepsPerSecond(options.lidar), options.carry_s);
   Scene scene = world_scene;
   scene.crowd =
       WalkAbout(scene.world, motion, options.robot_radius_m, options.walkers, options.seed);

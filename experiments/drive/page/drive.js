@@ -177,8 +177,10 @@ class App {
   #move_camera() {
     if (this.camera.mode === "follow" && this.status !== null) [this.camera.x, this.camera.y] = this.status.pose;
     if (this.camera.mode !== "fit") return;
-    const boxes = this.panes.map((pane) => pane.box()).filter((box) => box !== null);
-    if (boxes.length > 0) this.camera.fit(boxes[0], this.panes[0].size);
+    const box = this.panes[0].box();  // of the truth, which all panes share
+    const sizes = this.panes.map(({size}) => size);
+    const size = {width: Math.min(...sizes.map(({width}) => width)), height: Math.min(...sizes.map(({height}) => height))};
+    if (box !== null) this.camera.fit(box, size);
   }
 
   toggle_pause() { this.connection.send(this.status?.state === "paused" ? "resume" : "pause"); }

@@ -2,6 +2,7 @@
 // The truth, or a map of SLAM as it lies in the world: its origin is where the robot started.
 import {drawPath, drawPose} from "./drawing.js";
 import {Pane} from "./pane.js";
+import {POSE_VALUES} from "./run.js";
 
 const RAYS = 120;
 
@@ -23,8 +24,8 @@ export class DrivePane extends Pane {
 
   // A canvas as large as the diagonal about the same middle, turned: whatever is drawn in a part of it.
   in_map(pen, draw) {
-    if (this.is_truth) return draw(pen);
-    const {context, camera, size} = pen;
+    const {context, camera, size, colors} = pen;
+    if (this.is_truth) return draw({...pen, colors: {...colors, robot: colors.accepted, path: colors.accepted}});
     const [start_x, start_y, theta] = this.app.world_T_start;
     const cos = Math.cos(theta), sin = Math.sin(theta);
     const dx = camera.x - start_x, dy = camera.y - start_y;
@@ -51,11 +52,8 @@ export class DrivePane extends Pane {
   draw_over(pen, scene) {
     const {status, truth_run, colors} = this.app;
     if (status === null) return;
-    drawPath(pen, truth_run.path, truth_run.path.length / 4, colors.accepted, 1.5);
-    if (!this.is_truth) {
-      drawPose(pen, status.pose, colors.accepted, 9, 0.7);
-      return;
-    }
+    if (!this.is_truth) drawPath(pen, truth_run.path, truth_run.path.length / POSE_VALUES, colors.accepted, 1);
+    if (!this.is_truth) return this.#draw_outline(pen);  // over it, the map's robot can be seen
     this.#draw_rays(pen, scene);
     for (const walker of status.walkers) this.#draw_walker(pen, walker);
     this.#draw_way(pen);
@@ -85,7 +83,7 @@ export class DrivePane extends Pane {
     context.save();
     context.translate(px, py);
     context.rotate(-pose[2]);
-    context.fillStyle = colors.trail;
+    context.fillStyle = colors.refused;
     context.fillRect(-width / 2, -height / 2, width, height);
     context.restore();
   }
@@ -106,16 +104,19 @@ export class DrivePane extends Pane {
     context.stroke();
   }
 
-  #draw_robot(pen) {
-    const {context, camera, size, colors} = pen;
+  #draw_outline({context, camera, size, colors}) {
     const {status, robot_radius_m} = this.app;
     const [x, y] = camera.to_screen(status.pose[0], status.pose[1], size);
     context.beginPath();
-    context.arc(x, y, Math.max(robot_radius_m * camera.scale, 3), 0, 2 * Math.PI);
+    context.arc(x, y, Math.max(robot_radius_m * camera.scale, 7), 0, 2 * Math.PI);
     context.strokeStyle = status.blocked_by === "" ? colors.accepted : colors.refused;
     context.lineWidth = 2;
     context.stroke();
-    drawPose(pen, status.pose, colors.accepted, 9);
+  }
+
+  #draw_robot(pen) {
+    this.#draw_outline(pen);
+    drawPose(pen, this.app.status.pose, this.app.colors.accepted, 9);
   }
 
   click(px, py) {

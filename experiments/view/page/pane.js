@@ -100,7 +100,8 @@ export class Pane {
   draw_over() {}
 
   #draw_scene(pen, scene) {
-    const {layers, time_s, selection, colors} = this.app;
+    const {layers, time_s, selection} = this.app;
+    const {colors} = pen;
     if (layers.refused) {
       drawClosures(pen, linesOf(this.run, time_s, (c) => !isAccepted(c)), colors.refused, 1, [5, 4]);
     }

@@ -42,9 +42,9 @@ TEST_F(TakeWishTest, GoalsSavesAndMapsCountOnce) {
 TEST_F(TakeWishTest, NonsenseIsRefused) {
   for (const char* text :
        {"", "[]", "{}", R"({"op": 1})", R"({"op": "fly"})", R"({"op": "hold", "forward": 1})",
-        R"({"op": "hold", "forward": 2, "left": 0})", R"({"op": "hold", "forward": "1", "left": 0})",
-        R"({"op": "goal", "x": 1e9, "y": 0})", R"({"op": "odometry", "noise": -1, "slips": 0})",
-        R"({"op": "remove", "run": 0})",
+        R"({"op": "hold", "forward": 2, "left": 0})",
+        R"({"op": "hold", "forward": "1", "left": 0})", R"({"op": "goal", "x": 1e9, "y": 0})",
+        R"({"op": "odometry", "noise": -1, "slips": 0})", R"({"op": "remove", "run": 0})",
         R"({"op": "add", "backend": "/tmp/mine.so", "particles": 5, "correction": "pose"})",
         R"({"op": "add", "backend": "spa", "particles": 100000, "correction": "pose"})",
         R"({"op": "add", "backend": "spa", "particles": 5, "correction": "none"})"}) {
@@ -53,8 +53,8 @@ TEST_F(TakeWishTest, NonsenseIsRefused) {
 }
 
 TEST(DriveMessages, ScoresThatAreNotKnownAreNull) {
-  const auto json =
-      nlohmann::json::parse(VariantsMessage({{1, {{"spa", 5}, "following", {2.0, 0.01, {}}}}})->data);
+  const auto json = nlohmann::json::parse(
+      VariantsMessage({{1, {{"spa", 5}, "following", {2.0, 0.01, {}}}}})->data);
   EXPECT_EQ(json["list"][0]["run"], 1);
   EXPECT_EQ(json["list"][0]["name"], "spa, 5 particles, trajectory");
   EXPECT_EQ(json["list"][0]["ate_m"], 0.01);

@@ -18,10 +18,10 @@ namespace {
 
 VariantSetup Setup(int particles) {
   VariantSetup setup;
-  setup.choice = {"spa", particles};
+  setup.choice = {.backend = "spa", .particles = particles};
   setup.options.particles = particles;
   setup.options.linear_update_m = 0.5;
-  setup.load_optimizer = [] { return std::make_shared<backend::SpaOptimizer>(); };
+  setup.load_optimizer = [] { return std::make_shared<spa::SpaOptimizer>(); };
   return setup;
 }
 
@@ -53,11 +53,10 @@ class SlamVariantTest : public testing::Test {
  protected:
   DrivenRoom room_;
   map::TrinaryMap truth_ = simulation::TruthMap(RoomScene().world, {2.0, 3.0}, 0.1);
-  MapScorer scorer_{&truth_, &room_.tour, 30.0};
 };
 
 TEST_F(SlamVariantTest, FollowsAndEndsAsAStraightRun) {
-  SlamVariant variant(Setup(3), &room_.tour, &scorer_, kNobody);
+  SlamVariant variant(Setup(3), &room_.tour, &truth_, 30.0, kNobody);
   room_.Drive({1.0, 0.3}, 40);
   room_.Drive({0.5, -0.5}, 20);
   const auto result = variant.Finish(Never);
@@ -71,7 +70,7 @@ TEST_F(SlamVariantTest, FollowsAndEndsAsAStraightRun) {
 
 TEST_F(SlamVariantTest, OneThatBeginsLaterEndsAsOneFromTheStart) {
   room_.Drive({1.0, 0.3}, 40);
-  SlamVariant late(Setup(3), &room_.tour, &scorer_, kNobody);
+  SlamVariant late(Setup(3), &room_.tour, &truth_, 30.0, kNobody);
   room_.Drive({0.5, -0.5}, 20);
   const auto result = late.Finish(Never);
   ASSERT_NE(result, nullptr);
@@ -79,7 +78,7 @@ TEST_F(SlamVariantTest, OneThatBeginsLaterEndsAsOneFromTheStart) {
 }
 
 TEST_F(SlamVariantTest, GoesOnAfterAnEndAsIfThereWasNone) {
-  SlamVariant variant(Setup(2), &room_.tour, &scorer_, kNobody);
+  SlamVariant variant(Setup(2), &room_.tour, &truth_, 30.0, kNobody);
   room_.Drive({1.0, 0.3}, 30);
   const auto first = variant.Finish(Never);
   ASSERT_NE(first, nullptr);
@@ -92,7 +91,7 @@ TEST_F(SlamVariantTest, GoesOnAfterAnEndAsIfThereWasNone) {
 }
 
 TEST_F(SlamVariantTest, HasNoResultWithoutAScanOrWhenItHasFailed) {
-  SlamVariant variant(Setup(2), &room_.tour, &scorer_, kNobody);
+  SlamVariant variant(Setup(2), &room_.tour, &truth_, 30.0, kNobody);
   EXPECT_EQ(variant.Finish(Never), nullptr);
   VariantSetup broken = Setup(2);
   broken.load_optimizer = []() -> std::shared_ptr<backend::Optimizer> {
@@ -103,7 +102,7 @@ TEST_F(SlamVariantTest, HasNoResultWithoutAScanOrWhenItHasFailed) {
   listener.on_state = [&](const std::string& told) { state = told; };
   room_.Drive({1.0, 0.3}, 5);
   {
-    SlamVariant failing(broken, &room_.tour, &scorer_, listener);
+    SlamVariant failing(broken, &room_.tour, &truth_, 30.0, listener);
     EXPECT_EQ(failing.Finish(Never), nullptr);
   }
   EXPECT_EQ(state, "failed: gone");

@@ -14,8 +14,8 @@ namespace gmapping_spa::drive {
 namespace {
 
 const simulation::World& Building() {
-  static const auto& world = *new simulation::World(
-      simulation::ReadWorldRaster(WORLDS_FOLDER "/paper_building.yaml"));
+  static const auto& world =
+      *new simulation::World(simulation::ReadWorldRaster(WORLDS_FOLDER "/paper_building.yaml"));
   return world;
 }
 

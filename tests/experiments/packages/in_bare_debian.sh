@@ -13,7 +13,7 @@ install /packages/gmapping-spa_*.deb
 gmapping_spa --version
 cd "$(mktemp -d)"
 data=/usr/share/gmapping_spa
-for program in gmapping_spa convert_log edit_closures inspect_log optimize_graph simulate simulate_slam evaluate_relations \
+for program in gmapping_spa convert_log edit_closures inspect_log optimize_graph simulate simulate_slam drive evaluate_relations \
   evaluate_trajectory evaluate_map; do
   "$program" --help >/dev/null
   test -s "/usr/share/man/man1/$program.1" || test -s "/usr/share/man/man1/$program.1.gz"
