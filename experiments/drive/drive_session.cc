@@ -186,7 +186,6 @@ void DriveSession::Tick() {
 
 void DriveSession::Save() {
   if (tour_.steps() == 0) return;
-  published_state_.clear();
   Publish("saving");
   VariantResults results;
   for (const auto& [run, variant] : variants_) {
@@ -203,9 +202,10 @@ void DriveSession::Save() {
 }
 
 void DriveSession::Publish(const std::string& state) {
-  const bool is_new = state != published_state_;
-  if (!is_new && !truth_throttle_->Wants(server_)) return;
-  published_state_ = state;
+  const Published now = {state, note_, tour_.steps(), way_.size(), odometry_noise_, slips_per_m_};
+  const bool is_new = state != std::get<0>(published_);
+  if (now == published_ || (!is_new && !truth_throttle_->Wants(server_))) return;
+  published_ = now;
   const simulation::SimulationSummary summary = robot_.Summary();
   DriveStatus status{.state = state,
                      .note = note_,

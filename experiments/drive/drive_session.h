@@ -11,6 +11,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "experiments/drive/drive_controls.h"
@@ -65,6 +67,8 @@ class DriveSession {
 
  private:
   struct Throttle;
+  // State, note, steps, points of the way, noise and slips: while they are the same, all is.
+  using Published = std::tuple<std::string, std::string, std::size_t, std::size_t, double, double>;
 
   void AddVariant(const VariantChoice& choice);
   void RemoveVariant(int run);
@@ -91,7 +95,7 @@ class DriveSession {
   std::string note_;
   std::size_t saved_steps_ = 0;
   std::shared_ptr<Throttle> truth_throttle_;
-  std::string published_state_;
+  Published published_;
 };
 
 }  // namespace gmapping_spa::drive

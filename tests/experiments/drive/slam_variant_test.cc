@@ -16,7 +16,7 @@
 namespace gmapping_spa::drive {
 namespace {
 
-VariantSetup Setup(int particles) {
+VariantSetup SetupWith(int particles) {
   VariantSetup setup;
   setup.choice = {.backend = "spa", .particles = particles};
   setup.options.particles = particles;
@@ -32,7 +32,7 @@ bool Never() { return false; }
 
 // What a run of SLAM makes of the same scans.
 backend::Trajectory StraightRun(const RecordedTour& tour, int particles) {
-  const VariantSetup setup = Setup(particles);
+  const VariantSetup setup = SetupWith(particles);
   frontend::ImprovedGmapping gmapping(
       frontend::GmappingOptions(setup.options), frontend::MakeScanMatcher(setup.options),
       frontend::BindOptimizer(setup.options, setup.load_optimizer()));
@@ -56,7 +56,7 @@ class SlamVariantTest : public testing::Test {
 };
 
 TEST_F(SlamVariantTest, FollowsAndEndsAsAStraightRun) {
-  SlamVariant variant(Setup(3), &room_.tour, &truth_, 30.0, kNobody);
+  SlamVariant variant(SetupWith(3), &room_.tour, &truth_, 30.0, kNobody);
   room_.Drive({1.0, 0.3}, 40);
   room_.Drive({0.5, -0.5}, 20);
   const auto result = variant.Finish(Never);
@@ -70,7 +70,7 @@ TEST_F(SlamVariantTest, FollowsAndEndsAsAStraightRun) {
 
 TEST_F(SlamVariantTest, OneThatBeginsLaterEndsAsOneFromTheStart) {
   room_.Drive({1.0, 0.3}, 40);
-  SlamVariant late(Setup(3), &room_.tour, &truth_, 30.0, kNobody);
+  SlamVariant late(SetupWith(3), &room_.tour, &truth_, 30.0, kNobody);
   room_.Drive({0.5, -0.5}, 20);
   const auto result = late.Finish(Never);
   ASSERT_NE(result, nullptr);
@@ -78,7 +78,7 @@ TEST_F(SlamVariantTest, OneThatBeginsLaterEndsAsOneFromTheStart) {
 }
 
 TEST_F(SlamVariantTest, GoesOnAfterAnEndAsIfThereWasNone) {
-  SlamVariant variant(Setup(2), &room_.tour, &truth_, 30.0, kNobody);
+  SlamVariant variant(SetupWith(2), &room_.tour, &truth_, 30.0, kNobody);
   room_.Drive({1.0, 0.3}, 30);
   const auto first = variant.Finish(Never);
   ASSERT_NE(first, nullptr);
@@ -91,9 +91,9 @@ TEST_F(SlamVariantTest, GoesOnAfterAnEndAsIfThereWasNone) {
 }
 
 TEST_F(SlamVariantTest, HasNoResultWithoutAScanOrWhenItHasFailed) {
-  SlamVariant variant(Setup(2), &room_.tour, &truth_, 30.0, kNobody);
+  SlamVariant variant(SetupWith(2), &room_.tour, &truth_, 30.0, kNobody);
   EXPECT_EQ(variant.Finish(Never), nullptr);
-  VariantSetup broken = Setup(2);
+  VariantSetup broken = SetupWith(2);
   broken.load_optimizer = []() -> std::shared_ptr<backend::Optimizer> {
     throw std::runtime_error("gone");
   };
