@@ -19,7 +19,7 @@ SCREENSHOTS = os.environ.get("GMAPPING_SPA_SCREENSHOTS")
 APP = "gmapping_spa_drive"
 STATUS = f"{APP}.status"
 RIGHT, TAB, ESCAPE = "\ue014", "\ue004", "\ue00c"
-SPEED = 2
+SPEED = 1
 
 
 # Somebody who looks where the robot is, and holds arrow keys: in the page, as what a driver of browsers
@@ -31,7 +31,7 @@ const press = (code, is_down) => {
   if (is_down) held.add(code); else held.delete(code);
   document.body.dispatchEvent(new KeyboardEvent(is_down ? 'keydown' : 'keyup', {code, key: code, bubbles: true, cancelable: true}));
 };
-let looked = performance.now();
+let looked = performance.now(), backs = 0;
 globalThis.way_points_left = points.length;
 const look = () => {
   let [x, y, theta] = app.status.pose;
@@ -51,7 +51,9 @@ const look = () => {
   const turn = Math.atan2(dy, dx) - theta, error = Math.atan2(Math.sin(turn), Math.cos(turn));
   press('ArrowLeft', error > 0.08);
   press('ArrowRight', error < -0.08);
-  press('ArrowUp', Math.abs(error) < 0.4 && distance > 0.3 + v * v / 2 && v * delay_s < 1);
+  backs = app.status.blocked_by !== '' ? 30 : backs - 1;  // away from what is in the way
+  press('ArrowDown', backs > 0);
+  press('ArrowUp', backs <= 0 && Math.abs(error) < 0.4 && distance > 0.3 + v * v / 2 && v * delay_s < 1);
   setTimeout(look, 30);
 };
 look();
