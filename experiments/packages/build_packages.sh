@@ -20,7 +20,7 @@ cd "$(dirname "$0")/../.."
 experiments/install_packages.sh packages python
 build=build-packages
 cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr \
-  -DGMAPPING_SPA_TESTS=OFF "$@" >/dev/null
+  -DGMAPPING_SPA_TESTS=OFF -DGMAPPING_SPA_ROS=OFF "$@" >/dev/null
 cmake --build "$build"
 
 umask 022  # which folders in packages have
