@@ -14,8 +14,13 @@ fail() {
 step "the runtime package alone"
 apt-get update -qq
 install /packages/gmapping-spa_*.deb
-gmapping_spa --version
 cd "$(mktemp -d)"
+gmapping_spa --version | tee version.txt
+package=$(dpkg-query -W -f='${Version}' gmapping-spa)
+if [[ $package == *~git* ]]; then
+  commit=${package##*.}
+  grep -qF "${commit%+changed}" version.txt || fail "expected a build of the commit of package $package"
+fi
 data=/usr/share/gmapping_spa
 for program in $(dpkg -L gmapping-spa | sed -n 's|^/usr/bin/||p'); do
   "$program" --help >/dev/null
