@@ -145,6 +145,7 @@ std::optional<backend::PoseGraph> GraphThread::Take(double wait_s) {
                     "the back end ended before it had converged: " + summary.message);
   }
   ++counts_.taken;
+  latest_cost_ = summary.final_cost;
   rejected_closures_.clear();
   for (const std::size_t k : backend::RejectedClosures(result.graph.edges, summary)) {
     const backend::Edge& edge = result.graph.edges[k];

@@ -103,6 +103,9 @@ class GraphThread {
   };
   const std::vector<RejectedClosure>& rejected_closures() const { return rejected_closures_; }
 
+  // Of the last result taken; nothing before the first one.
+  std::optional<double> latest_cost() const { return latest_cost_; }
+
   const Counts& counts() const { return counts_; }
 
   // For sessions (frontend/session). What runs is begun again from its snapshot.
@@ -148,6 +151,7 @@ class GraphThread {
   std::function<bool()> is_asked_to_stop_;
   std::optional<std::chrono::steady_clock::time_point> end_of_waits_;  // once it has been asked
   std::vector<RejectedClosure> rejected_closures_;
+  std::optional<double> latest_cost_;
   Counts counts_;
 };
 

@@ -127,9 +127,9 @@ void ImprovedGmapping::UpdateFilter(const sensor::LaserScan& scan,
     for (const particle_filter::Particle& particle : filter_.particles()) {
       area_.Extend(scan, particle.world_T_robot * controls.front().motion);
     }
-    const ParticleFilter::UpdateResult update = filter_.Update(scan, controls);
-    counts_.resamplings += update.resampled ? 1 : 0;
-    counts_.failed_matches += update.failed_matches;
+    latest_update_ = filter_.Update(scan, controls);
+    counts_.resamplings += latest_update_.resampled ? 1 : 0;
+    counts_.failed_matches += latest_update_.failed_matches;
   }
   node_scans_.push_back(archive_.size() - 1);
   ++counts_.updates;

@@ -131,9 +131,14 @@ class ImprovedGmapping {
 
   const Counts& counts() const { return counts_; }
   const particle_filter::ParticleFilter& filter() const { return filter_; }
+  // Of the latest update of the filter; all zero before the second one.
+  const particle_filter::ParticleFilter::UpdateResult& latest_update() const {
+    return latest_update_;
+  }
   const GraphThread& graph_thread() const { return graph_thread_; }
   const loop_closure::LoopCloser& loop_closer() const { return loop_closer_; }
   const Health& health() const { return health_; }
+  double resolution_m() const { return options_.filter.grid.resolution_m; }
   // Time from the first beam of a scan to the last one, s, by which scans are deskewed.
   double sweep_s() const { return control_.sweep_s(); }
   // All scans so far.
@@ -182,6 +187,7 @@ class ImprovedGmapping {
 
   Options options_;
   particle_filter::ParticleFilter filter_;
+  particle_filter::ParticleFilter::UpdateResult latest_update_;
   Health health_;
   ControlInput control_;
   loop_closure::LoopCloser loop_closer_;

@@ -20,6 +20,7 @@
 #include "experiments/apps/session_saver.h"
 #include "experiments/apps/slam_flags.h"
 #include "experiments/apps/slam_run.h"
+#include "experiments/apps/view_flags.h"
 
 DEFINE_string(
     log, "",
@@ -65,6 +66,7 @@ Json LogToJson(const sensor::LogCounts& counts) {
 }
 
 void Run() {
+  if (ViewsFinishedRuns()) return ViewFinishedRuns();
   if (FLAGS_log.empty()) throw std::runtime_error("--log=FILE is missing");
   if (FLAGS_output_dir.empty()) throw std::runtime_error("--output_dir=DIR is missing");
   // Pipes would be empty when they are read again: for the progress and for the hash.
@@ -77,6 +79,8 @@ void Run() {
   BeginAsFlagsSay(&slam);
   const std::unique_ptr<SessionSaver> saver = MakeSessionSaver(&slam);
   OutputFiles files(FLAGS_output_dir);
+  const auto live_view = LiveViewFromFlags(FLAGS_log, slam.gmapping().resolution_m());
+  slam.SetObserver(live_view.get());
   const sensor::LogCounts log_counts = ProcessLog(log_options, &slam, saver.get());
   if (slam.counts().updates == 0 || slam.CatchesUp()) ThrowIfInterrupted();  // nothing new
   slam.CheckThatSessionEnded();
@@ -92,22 +96,25 @@ void Run() {
                                       " scans, without the final optimization"));
   }
   std::cout << counts.scans << " scans, " << counts.updates << " updates, " << counts.resamplings
-            << " resamplings; results in " << FLAGS_output_dir << '\n';
+            << " resamplings; results in " << FLAGS_output_dir << std::endl;
+  if (live_view) EndLiveView(live_view.get());
 }
 
 FlagGroups AllFlagGroups() {
   const FlagGroups output = {{"output", "Input and output", {"log", "output_dir"}}};
-  return Join({output, SessionFlagGroups(), LogFlagGroups(), SlamFlagGroups()});
+  return Join({output, SessionFlagGroups(), ViewFlagGroups(), LogFlagGroups(), SlamFlagGroups()});
 }
 
 }  // namespace
 }  // namespace gmapping_spa::apps
 
 int main(int argc, char** argv) {
+  gmapping_spa::apps::CompleteViewFlag(argc, argv);
   return gmapping_spa::apps::RunApp(
       argc, argv,
       "makes a map and a trajectory from a sensor log.\n"
-      "Usage: gmapping_spa --log=FILE --output_dir=DIR [--flagfile=FILE] [flags]\n"
+      "Usage: gmapping_spa --log=FILE --output_dir=DIR [--flagfile=FILE] [--view] [flags]\n"
+      "       gmapping_spa --view=DIR[,DIR]\n"
       "Writes the trajectory (trajectory.tum, trajectory.kitti with times.txt), the map (map.pgm "
       "with map.yaml, map.png, map_cells.png), the pose graph (graph.g2o with graph.stamps), "
       "loop_closures.csv and run.json.",

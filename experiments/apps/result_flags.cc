@@ -15,7 +15,9 @@ std::vector<std::string> ResultFlags() {
   static const std::set<std::string> kNoInfluence = {
       "log",        "world",       "path",         "obstacles",
       "output_dir", "threads",     "save_session", "checkpoint_every",
-      "resume",     "map_session", "session",      "closures"};
+      "resume",     "map_session", "session",      "closures",
+      "view",       "view_port",   "view_address", "view_wait",
+      "view_keep",  "view_origins"};
   std::vector<std::string> names;
   for (const FlagGroup& group : FlagsByGroup()) {
     for (const std::string& name : group.flags) {

@@ -100,7 +100,10 @@ void SlamRun::AddScan(const sensor::LaserScan& scan) {
   }
   backend::WithMemory("at scan " + std::to_string(counts().scans + 1) + " with the maps of " +
                           std::to_string(gmapping_.filter().particles().size()) + " particles",
-                      [&] { gmapping_.AddScan(scan); });
+                      [&] {
+                        const ScanResult result = gmapping_.AddScan(scan);
+                        if (observer_) observer_->AfterScan(gmapping_, scan, result);
+                      });
 }
 
 bool SlamRun::Finish(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
@@ -125,10 +128,12 @@ bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::Log
                            OutputFiles* files) {
   stopwatch_.Lap("processing_s");
   const std::int64_t late = gmapping_.graph_thread().counts().late;
+  if (observer_) observer_->BeforeFinish();
   int signal = ReceivedSignal();
   const frontend::SlamResult estimate = signal == 0 ? gmapping_.Finish() : gmapping_.FinishEarly();
   // A signal during the final optimization may have cut it short.
   if (gmapping_.graph_thread().counts().late > late) signal = ReceivedSignal();
+  if (observer_) observer_->AfterFinish(gmapping_, estimate);
   Json record = WriteEstimate(estimate, input, log_counts, files);
   if (resumed_scans_ > 0) record["resources"]["resumed_after_scans"] = resumed_scans_;
   if (signal != 0) record["interrupted"] = {{"signal", signal}, {"scans", counts().scans}};

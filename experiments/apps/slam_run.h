@@ -12,6 +12,7 @@
 #include "experiments/apps/json.h"
 #include "experiments/apps/output_files.h"
 #include "experiments/apps/run_record.h"
+#include "experiments/view/slam_observer.h"
 #include "frontend/api/slam_options.h"
 #include "frontend/improved_gmapping.h"
 #include "frontend/sensor/laser_scan.h"
@@ -24,6 +25,9 @@ class SlamRun {
  public:
   // Throws std::runtime_error with one line when a flag makes no sense.
   SlamRun();
+
+  // Tells `observer`, which outlives this or is null, how it goes.
+  void SetObserver(view::SlamObserver* observer) { observer_ = observer; }
 
   // Goes on with a session; `name` is for messages. From now on the scans that it has taken are
   // compared with those that AddScan is given, and nothing else is done with them. Throws
@@ -88,6 +92,7 @@ class SlamRun {
   std::shared_ptr<backend::Optimizer> optimizer_;
   frontend::ImprovedGmapping gmapping_;
   Stopwatch stopwatch_;
+  view::SlamObserver* observer_ = nullptr;
   std::string session_name_;
   std::int64_t resumed_scans_ = 0;
   std::int64_t given_scans_ = 0;

@@ -8,6 +8,9 @@ EXAMPLES = {
         ("GMapping as its authors published it, with fewer particles:",
          "gmapping_spa --flagfile=DATA/flags/gmapping.flags --particles=10 --log=robot.clf.gz "
          "--output_dir=out/gmapping"),
+        ("A page that shows the run while it goes:",
+         "gmapping_spa --log=robot.clf.gz --output_dir=out/robot --view=live"),
+        ("Two finished runs, side by side:", "gmapping_spa --view=out/robot,out/gmapping"),
     ],
     "inspect_log": [
         ("What a log holds, before a map is made of it:", "inspect_log --log=robot.clf.gz"),

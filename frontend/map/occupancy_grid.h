@@ -71,6 +71,16 @@ class OccupancyGrid {
     return bits & 0xff;
   }
 
+  // The tile that holds the cells (x, y) with x / kSize = tile_x, likewise in y, rounded down; null
+  // where no beam has been. As long as a copy of the grid lives, the same address means that
+  // nothing has changed there since it was made.
+  const Tile* FindTile(int tile_x, int tile_y) const {
+    const unsigned column = static_cast<unsigned>(tile_x - first_tile_x_);
+    const unsigned row = static_cast<unsigned>(tile_y - first_tile_y_);
+    if (column >= tile_columns_ || row >= tile_rows_) return nullptr;
+    return tiles_[static_cast<std::size_t>(row) * tile_columns_ + column].get();
+  }
+
   // Smallest rectangle of whole tiles that holds every known cell: [min, max) in cells. Empty
   // (min == max) when nothing is known.
   struct Extent {
@@ -94,13 +104,6 @@ class OccupancyGrid {
 
  private:
   static const Cell kEmptyCell;
-
-  const Tile* FindTile(int tile_x, int tile_y) const {
-    const unsigned column = static_cast<unsigned>(tile_x - first_tile_x_);
-    const unsigned row = static_cast<unsigned>(tile_y - first_tile_y_);
-    if (column >= tile_columns_ || row >= tile_rows_) return nullptr;
-    return tiles_[static_cast<std::size_t>(row) * tile_columns_ + column].get();
-  }
 
   // A tile that only this grid owns, made or duplicated if need be.
   Tile& WritableTile(int tile_x, int tile_y);

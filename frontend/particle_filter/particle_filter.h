@@ -98,6 +98,10 @@ class ParticleFilter {
   // Poses of a particle at Start and at every Update.
   std::vector<TrajectoryTree::Vertex> Path(int particle) const;
   std::vector<backend::SE2> PosesOfPath(int particle) const;
+  // The last `count` of them, the latest one first.
+  std::vector<backend::SE2> LatestPoses(int particle, int count) const {
+    return tree_.LatestPoses(particles_.at(particle).leaf, count);
+  }
 
   // Step 6, eq. (14), as the paper writes it: adds the correction to each particle's current pose.
   void CorrectCurrentPoses(const PathCorrection& correction);

@@ -2,6 +2,7 @@
 #include "frontend/particle_filter/trajectory_tree.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace gmapping_spa::particle_filter {
 
@@ -27,6 +28,14 @@ std::vector<backend::SE2> TrajectoryTree::PosesOfPath(Index leaf) const {
   std::vector<backend::SE2> poses(vertices_.at(leaf).step + 1);
   for (Index at = leaf; at != kNone; at = vertices_[at].parent) {
     poses[vertices_[at].step] = vertices_[at].world_T_robot;
+  }
+  return poses;
+}
+
+std::vector<backend::SE2> TrajectoryTree::LatestPoses(Index leaf, int count) const {
+  std::vector<backend::SE2> poses;
+  for (Index at = leaf; at != kNone && std::ssize(poses) < count; at = vertices_[at].parent) {
+    poses.push_back(vertices_[at].world_T_robot);
   }
   return poses;
 }

@@ -51,6 +51,8 @@ class TrajectoryTree {
   // From the root to `leaf`.
   std::vector<Vertex> Path(Index leaf) const;
   std::vector<backend::SE2> PosesOfPath(Index leaf) const;
+  // The last `count` poses of it, fewer where there are no more, the latest one first.
+  std::vector<backend::SE2> LatestPoses(Index leaf, int count) const;
 
   // Forgets every pose that no leaf descends from, and renumbers `leaves` to match.
   void Prune(std::vector<Index>* leaves);

@@ -260,6 +260,20 @@ TEST_F(GraphThreadTest, RunWaitsForTheResult) {
   }
 }
 
+TEST_F(GraphThreadTest, TellsTheCostOfTheLatestResultTaken) {
+  GraphThread thread(Lockstep(5), &health_, [](PoseGraph* graph) {
+    const bool fails = XOf(*graph) < 0.0;
+    Summary summary = Ended(fails ? Termination::kFailure : Termination::kConverged);
+    summary.final_cost = XOf(*graph);
+    return summary;
+  });
+  EXPECT_FALSE(thread.latest_cost());
+  thread.Run(GraphAt(3.0));
+  EXPECT_EQ(thread.latest_cost(), 3.0);
+  thread.Run(GraphAt(-1.0));
+  EXPECT_EQ(thread.latest_cost(), 3.0);
+}
+
 TEST_F(GraphThreadTest, RunGivesNothingWhileTheBackEndHangs) {
   const Backend backend;
   GraphThread thread(Lockstep(1, 0.005), &health_, backend.Function());

@@ -2,69 +2,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The page in a real browser: no complaint in its console, no request, and tables that sort."""
 import json
-import shutil
-import subprocess
+import pathlib
+import sys
 import tempfile
 import unittest
-import urllib.request
 
 import report_fixture
 import report_verdicts_test
 
-MISSING = [name for name in ("chromium", "chromedriver") if shutil.which(name) is None]
-ARGUMENTS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-             "--disable-background-networking", "--disable-component-update", "--disable-sync",
-             "--window-size=1280,1000"]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "experiments" / "view"))
+import browser
 
 
-class Browser:
-    """Chromium behind chromedriver, spoken to as the WebDriver standard says."""
-
-    def __init__(self, profile):
-        self.driver = subprocess.Popen(
-            ["chromedriver", "--port=0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-            text=True)
-        port = next(line.split("on port ")[1].strip(" .\n") for line in self.driver.stdout
-                    if "successfully on port " in line)
-        self.url = f"http://127.0.0.1:{port}/session"
-        try:
-            session = self.call("", {"capabilities": {"alwaysMatch": {
-                "goog:chromeOptions": {
-                    "binary": shutil.which("chromium"),
-                    "args": [*ARGUMENTS, f"--user-data-dir={profile}"]},
-                "goog:loggingPrefs": {"browser": "ALL", "performance": "ALL"}}}})
-        except OSError:
-            self.driver.kill()
-            raise
-        self.url += f"/{session['sessionId']}"
-
-    def call(self, path, body=None, method="POST"):
-        request = urllib.request.Request(
-            self.url + path, method=method, headers={"Content-Type": "application/json"},
-            data=None if body is None else json.dumps(body).encode())
-        # Not through a proxy: the driver is on this machine.
-        opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
-        with opener.open(request) as answer:
-            return json.load(answer)["value"]
-
-    def run(self, script):
-        return self.call("/execute/sync", {"script": script, "args": []})
-
-    def click(self, selector):
-        element = self.call("/element", {"using": "css selector", "value": selector})
-        self.call(f"/element/{next(iter(element.values()))}/click", {})
-
-    def log(self, kind):
-        return self.call("/se/log", {"type": kind})
-
-    def close(self):
-        self.call("", method="DELETE")
-        self.driver.kill()
-        self.driver.wait()
-        self.driver.stdout.close()
-
-
-@unittest.skipIf(MISSING, f"no {' and no '.join(MISSING)}")
+@unittest.skipIf(browser.MISSING, f"no {' and no '.join(browser.MISSING)}")
 class PageTest(report_fixture.SharedResultsTestCase):
     @classmethod
     def spoil(cls):
@@ -74,7 +24,7 @@ class PageTest(report_fixture.SharedResultsTestCase):
     def setUp(self):
         profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self.addCleanup(profile.cleanup)
-        self.browser = Browser(profile.name)
+        self.browser = browser.Browser(profile.name)
         self.addCleanup(self.browser.close)
         self.url = (self.results.folder / "report" / "index.html").as_uri()
         self.browser.call("/url", {"url": self.url})

@@ -158,6 +158,19 @@ TEST(OccupancyGrid, CopySharesAllTilesButThoseWrittenTo) {
   EXPECT_EQ(grid.CountTiles(), 5u);
 }
 
+TEST(OccupancyGrid, TileOfACopyIsAnotherOneOnlyWhereSomethingHasChanged) {
+  OccupancyGrid grid(OccupancyGrid::Options{});
+  grid.AddHit(-0.5, 0.5);
+  grid.AddHit(20.5, 0.5);
+  const OccupancyGrid copy = grid;
+  grid.AddHit(20.5, 0.5);
+  EXPECT_NE(grid.FindTile(-1, 0), nullptr);
+  EXPECT_EQ(grid.FindTile(-1, 0), copy.FindTile(-1, 0));
+  EXPECT_NE(grid.FindTile(1, 0), copy.FindTile(1, 0));
+  EXPECT_EQ(grid.FindTile(0, 1), nullptr);
+  EXPECT_EQ(grid.FindTile(1000, -1000), nullptr);
+}
+
 TEST(OccupancyGrid, WritingToOneGridOfManyIsSafeWhileThreadsWriteToTheOthers) {
   // Every thread takes copies of one grid, writes to them and drops them, so that reference counts
   // rise and fall everywhere while others decide whether a tile is theirs alone.

@@ -44,6 +44,8 @@ TEST(TrajectoryTree, PathLeadsFromTheRootToTheLeaf) {
   EXPECT_EQ(PosesOf(tree.Path(leaf)), (std::vector<SE2>{{1, 0, 0}, {2, 0, 0}, {4, 0, 0}}));
   EXPECT_EQ(PosesOf(tree.Path(right)), (std::vector<SE2>{{1, 0, 0}, {3, 0, 0}}));
   EXPECT_EQ(PosesOf(tree.Path(root)), (std::vector<SE2>{{1, 0, 0}}));
+  EXPECT_EQ(tree.LatestPoses(leaf, 2), (std::vector<SE2>{{4, 0, 0}, {2, 0, 0}}));
+  EXPECT_EQ(tree.LatestPoses(right, 5), (std::vector<SE2>{{3, 0, 0}, {1, 0, 0}}));
   for (const TrajectoryTree::Index index : {root, right, leaf}) {
     EXPECT_EQ(tree.PosesOfPath(index), PosesOf(tree.Path(index)));
   }
