@@ -3,6 +3,7 @@
 import os
 import pathlib
 import unittest
+import xml.etree.ElementTree as xml
 
 from described_programs import EXECUTABLES  # also where the modules are
 import flag_values
@@ -25,6 +26,11 @@ class FlagValuesTest(unittest.TestCase):
 
     def test_a_word_that_no_list_has_is_the_only_choice(self):
         self.assertEqual(flag_values.choices("Time in s; 0: at once; auto: learned.", "auto"), ["auto"])
+
+    def test_words_in_quotes_stand_for_a_folder_too(self):
+        flag = xml.fromstring("<flag><type>string</type><meaning>Folder of a run. Alone, or 'live': this run."
+                              "</meaning><default/></flag>")
+        self.assertEqual(flag_values.values_of(flag), [flag_values.FOLDERS, "live"])
 
     def test_text_and_what_is_empty_by_default_has_no_choices(self):
         self.assertEqual(flag_values.choices("Pose x,y,theta. Empty: none.", ""), [])

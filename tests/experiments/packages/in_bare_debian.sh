@@ -45,6 +45,20 @@ gmapping_spa --log=log.bag --output_dir=bag --save_session=robot.session
 edit_closures --session=robot.session --closures=bag/loop_closures.csv --output_dir=edited
 test -s edited/map.png
 
+step "the page of a run, which is in the program"
+gmapping_spa --view=slam --view_port=0 2>view.txt &
+viewer=$!
+for ((tries = 0; tries < 100; ++tries)); do
+  port=$(sed -n 's|^view: http://127.0.0.1:\([0-9]*\)/$|\1|p' view.txt)
+  [[ -z $port ]] || break
+  sleep 0.1
+done
+exec 3<>"/dev/tcp/127.0.0.1/$port"
+printf 'GET / HTTP/1.1\r\nHost: 127.0.0.1:%s\r\nConnection: close\r\n\r\n' "$port" >&3
+timeout 10 cat <&3 >page.html
+kill $viewer
+grep -q '<html' page.html
+
 step "every back end, in a process of its own too"
 for backend in spa ceres none; do
   optimize_graph --input=slam/graph.g2o --backend=$backend >$backend.json
