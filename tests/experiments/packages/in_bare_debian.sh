@@ -46,6 +46,7 @@ edit_closures --session=robot.session --closures=bag/loop_closures.csv --output_
 test -s edited/map.png
 
 step "the page of a run, which is in the program"
+touch view.txt
 gmapping_spa --view=slam --view_port=0 2>view.txt &
 viewer=$!
 for ((tries = 0; tries < 100; ++tries)); do
@@ -53,6 +54,7 @@ for ((tries = 0; tries < 100; ++tries)); do
   [[ -z $port ]] || break
   sleep 0.1
 done
+[[ -n $port ]] || fail "expected the address of a page, found $(cat view.txt)"
 exec 3<>"/dev/tcp/127.0.0.1/$port"
 printf 'GET / HTTP/1.1\r\nHost: 127.0.0.1:%s\r\nConnection: close\r\n\r\n' "$port" >&3
 timeout 10 cat <&3 >page.html
