@@ -92,7 +92,8 @@ void Run() {
                                       " scans, without the final optimization"));
   }
   std::cout << counts.scans << " scans, " << counts.updates << " updates, " << counts.resamplings
-            << " resamplings; results in " << FLAGS_output_dir << '\n';
+            << " resamplings" << slam.WordsOnLocalization() << "; results in " << FLAGS_output_dir
+            << '\n';
 }
 
 FlagGroups AllFlagGroups() {
@@ -109,6 +110,6 @@ int main(int argc, char** argv) {
       "makes a map and a trajectory from a sensor log.\n"
       "Usage: gmapping_spa --log=FILE --output_dir=DIR [--flagfile=FILE] [flags]\n"
       "Writes trajectory.tum, map.pgm, map.yaml, map.png, graph.g2o, loop_closures.csv and "
-      "run.json.",
+      "run.json,\nwith --localize localization.csv, too.",
       gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);
 }
