@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -101,6 +102,14 @@ TEST_F(OutputFilesTest, AFullDeviceIsAnErrorAndLeavesNothing) {
               "cannot write '" + Path("new/a.txt") + "': No space left on device");
   }
   EXPECT_FALSE(fs::exists(Path("new")));
+}
+
+TEST_F(OutputFilesTest, WhatIsNoFileIsNotReplaced) {
+  ASSERT_EQ(mkfifo(Path("pipe").c_str(), 0600), 0);
+  OutputFiles files(Path("."));
+  EXPECT_THAT(MessageOf([&] { files.Write("pipe", Text("1")); }),
+              HasSubstr("expected a regular file or none"));
+  EXPECT_TRUE(fs::is_fifo(Path("pipe")));
 }
 
 TEST_F(OutputFilesTest, AWriterThatThrowsLeavesNothing) {
