@@ -51,7 +51,7 @@ void OutputFiles::Write(const std::string& name, const std::function<void(std::o
 std::string OutputFiles::TemporaryPath(const std::string& name) {
   // What is moved over a device or a pipe would take its place.
   const fs::path path = fs::path(folder_.path) / name;
-  if (fs::exists(path) && !fs::is_regular_file(path) && !fs::is_directory(path)) {
+  if (fs::exists(path) && !fs::is_regular_file(path)) {
     throw std::runtime_error("cannot write '" + path.string() +
                              "': expected a regular file or none, which can be replaced");
   }

@@ -123,10 +123,10 @@ TEST_F(OutputFilesTest, AWriterThatThrowsLeavesNothing) {
 
 TEST_F(OutputFilesTest, CommitReplacesAllOrNone) {
   std::ofstream(Path("a.txt")) << "old";
-  fs::create_directories(Path("b.txt/in_the_way"));
   OutputFiles files(Path(""));
   files.Write("a.txt", Text("new"));
   files.Write("b.txt", Text("new"));
+  fs::create_directories(Path("b.txt/in_the_way"));
   EXPECT_THROW(files.Commit(), std::runtime_error);
   EXPECT_EQ(Contents(Path("a.txt")), "old");
 }
