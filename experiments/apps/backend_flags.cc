@@ -161,13 +161,6 @@ void AddBackendSettings(backend::Options* options) {
   }
 }
 
-std::unique_ptr<backend::Optimizer> LoadBackend() {
-  if (!(FLAGS_backend_timeout_s >= 0))
-    throw std::runtime_error("--backend_timeout_s: expected a number from 0");
-  if (FLAGS_backend_timeout_s == 0) return backend::LoadOptimizer(FLAGS_backend);
-  return std::make_unique<backend::ProcessOptimizer>(FLAGS_backend, FLAGS_backend_timeout_s);
-}
-
 }  // namespace
 
 FlagGroups BackendFlagGroups() {
@@ -183,8 +176,18 @@ std::string BackendFromFlags() { return FLAGS_backend; }
 
 bool GncFromFlags() { return FLAGS_gnc; }
 
+std::function<std::unique_ptr<backend::Optimizer>()> OptimizerLoaderFromFlags() {
+  if (!(FLAGS_backend_timeout_s >= 0))
+    throw std::runtime_error("--backend_timeout_s: expected a number from 0");
+  return [name = FLAGS_backend,
+          timeout_s = FLAGS_backend_timeout_s]() -> std::unique_ptr<backend::Optimizer> {
+    if (timeout_s == 0) return backend::LoadOptimizer(name);
+    return std::make_unique<backend::ProcessOptimizer>(name, timeout_s);
+  };
+}
+
 std::unique_ptr<backend::Optimizer> LoadOptimizerFromFlags() {
-  std::unique_ptr<backend::Optimizer> optimizer = LoadBackend();
+  std::unique_ptr<backend::Optimizer> optimizer = OptimizerLoaderFromFlags()();
   LeaveOutMixtureWhereUnsupported(*optimizer);
   backend::CheckOptions(OptionsFromFlags(), *optimizer);
   WarnOfFlagsWithoutEffect();

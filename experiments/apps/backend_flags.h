@@ -3,6 +3,7 @@
 #ifndef GMAPPING_SPA_EXPERIMENTS_APPS_BACKEND_FLAGS_H_
 #define GMAPPING_SPA_EXPERIMENTS_APPS_BACKEND_FLAGS_H_
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -23,6 +24,9 @@ bool GncFromFlags();
 // std::runtime_error with one line. Where it does not support what the default loss needs, --loss
 // becomes none, with a warning: call this before the flags are read.
 std::unique_ptr<backend::Optimizer> LoadOptimizerFromFlags();
+
+// Loads the back end of --backend in any thread, whatever the flags are by then; checks nothing.
+std::function<std::unique_ptr<backend::Optimizer>()> OptimizerLoaderFromFlags();
 
 // The options of --loss, --init, ..., with those --<backend>_<setting> flags that were set, and
 // with --backend_settings. Throws std::runtime_error with one line.

@@ -4,9 +4,7 @@
 #include <gflags/gflags.h>
 
 #include <chrono>
-#include <cstdint>
 #include <filesystem>
-#include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
@@ -17,16 +15,13 @@
 #include "experiments/apps/app.h"
 #include "experiments/apps/finished_run.h"
 #include "experiments/apps/flag_checks.h"
+#include "experiments/apps/server_flags.h"
 #include "experiments/view/finished_view.h"
 
 DEFINE_string(view, "",
               "Folder with the results of a run, or two with a comma between them, to show on a "
               "page; nothing else is done. Alone, or 'live' (in a --flagfile): a page that shows "
               "this run while it goes. Empty: no page.");
-DEFINE_int32(view_port, 8080, "Port of the page of --view, from 0; 0 takes one that is free.");
-DEFINE_string(view_address, "127.0.0.1",
-              "Address of this machine, in numbers, at which --view listens. The default is for "
-              "this machine alone; 0.0.0.0 is for everybody who can reach it, without a password.");
 DEFINE_bool(view_wait, false, "With --view, waits for the first page before the first scan.");
 DEFINE_bool(view_keep, false,
             "With --view, keeps the page when the results are written, until Ctrl-C.");
@@ -50,18 +45,10 @@ std::vector<std::string> Words(const std::string& list) {
   return words;
 }
 
-view::ServerOptions ServerOptionsFromFlags() {
-  view::ServerOptions options;
-  options.address = FLAGS_view_address;
-  options.port = static_cast<std::uint16_t>(InRange("view_port", FLAGS_view_port, 0, 65535));
+view::ServerOptions ViewServerOptionsFromFlags() {
+  view::ServerOptions options = ServerOptionsFromFlags();
   options.reading_origins = Words(FLAGS_view_origins);
   return options;
-}
-
-void SayWhere(std::uint16_t port) {
-  const bool is_ipv6 = FLAGS_view_address.find(':') != std::string::npos;
-  std::cerr << "view: http://" << (is_ipv6 ? "[" + FLAGS_view_address + "]" : FLAGS_view_address)
-            << ':' << port << "/\n";
 }
 
 }  // namespace
@@ -89,19 +76,19 @@ void ViewFinishedRuns() {
   }
   std::vector<view::FinishedRun> runs;
   for (const std::string& folder : folders) runs.push_back(ReadFinishedRun(folder));
-  const view::FinishedView finished_view(ServerOptionsFromFlags(), std::move(runs));
-  SayWhere(finished_view.port());
+  const view::FinishedView finished_view(ViewServerOptionsFromFlags(), std::move(runs));
+  SayWhereThePageIs(finished_view.port());
   while (ReceivedSignal() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(100));
 }
 
 std::unique_ptr<view::LiveView> LiveViewFromFlags(const std::string& name, double resolution_m) {
   if (FLAGS_view.empty()) return nullptr;
   auto live_view = std::make_unique<view::LiveView>(
-      ServerOptionsFromFlags(),
+      ViewServerOptionsFromFlags(),
       view::RunTitle{.name = std::filesystem::path(name).filename().string(),
                      .resolution_m = resolution_m},
       [] { return ReceivedSignal() != 0; });
-  SayWhere(live_view->port());
+  SayWhereThePageIs(live_view->port());
   if (FLAGS_view_wait) live_view->WaitForClient();
   return live_view;
 }

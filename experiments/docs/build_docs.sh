@@ -14,7 +14,7 @@ command -v doxygen >/dev/null || {
 }
 
 executables=()
-for name in gmapping_spa edit_closures inspect_log convert_log optimize_graph simulate simulate_slam evaluate_relations \
+for name in gmapping_spa edit_closures inspect_log convert_log optimize_graph simulate simulate_slam drive evaluate_relations \
   evaluate_trajectory evaluate_map; do
   executables+=("$binaries/$name")
 done

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 
 #include "experiments/metrics/grid_ray.h"
@@ -28,46 +27,51 @@ std::uint8_t SideBit(int step_x, int step_y) {
 
 }  // namespace
 
-SeenSpace LookAround(const map::TrinaryMap& truth, const backend::Trajectory& true_poses,
-                     double max_range_m) {
-  SeenSpace space{truth.width, truth.height, {}, {}, 0};
-  space.sides.assign(truth.cells.size(), 0);
-  space.seen.assign(truth.cells.size(), 0);
-  std::vector<Eigen::Vector2d> directions;
+Lookout::Lookout(const map::TrinaryMap* truth, double max_range_m)
+    : truth_(truth), max_range_m_(max_range_m), seen_{truth->width, truth->height, {}, {}, 0} {
+  seen_.sides.assign(truth->cells.size(), 0);
+  seen_.seen.assign(truth->cells.size(), 0);
   for (int i = 0; i < kDirections; ++i) {
     const double angle = (i + 0.5) * 2.0 * std::numbers::pi / kDirections;
-    directions.emplace_back(std::cos(angle), std::sin(angle));
+    directions_.emplace_back(std::cos(angle), std::sin(angle));
   }
+}
+
+void Lookout::Look(const backend::SE2& truth_T_robot) {
+  const map::TrinaryMap& truth = *truth_;
+  const Eigen::Vector2d position = truth_T_robot.translation();
+  if (last_view_point_ && (position - *last_view_point_).norm() < kViewPointDistance_m) return;
+  const Eigen::Vector2d origin = ToCells(truth, position);
+  if (StateAt(truth, CellOf(origin.x()), CellOf(origin.y())) != CellState::kFree) return;
+  last_view_point_ = position;
+  ++seen_.view_points;
   int from_column = 0, from_row = 0;
   const auto look = [&](int column, int row, double, double) {
     const CellState state = StateAt(truth, column, row);
     if (state == CellState::kFree) {
-      space.seen[static_cast<std::size_t>(row) * truth.width + column] = 1;
+      seen_.seen[static_cast<std::size_t>(row) * truth.width + column] = 1;
       from_column = column;
       from_row = row;
     } else if (state == CellState::kOccupied) {
-      space.sides[static_cast<std::size_t>(row) * truth.width + column] |=
+      seen_.sides[static_cast<std::size_t>(row) * truth.width + column] |=
           SideBit(from_column - column, from_row - row);
     }
     return state == CellState::kFree;
   };
-  std::optional<Eigen::Vector2d> last_view_point;
-  for (const auto& [stamp_s, pose] : true_poses) {
-    const Eigen::Vector2d position = pose.translation();
-    if (last_view_point && (position - *last_view_point).norm() < kViewPointDistance_m) continue;
-    const Eigen::Vector2d origin = ToCells(truth, position);
-    if (StateAt(truth, CellOf(origin.x()), CellOf(origin.y())) != CellState::kFree) continue;
-    last_view_point = position;
-    ++space.view_points;
-    for (const Eigen::Vector2d& direction : directions) {
-      VisitCellsAlong(origin, direction, max_range_m / truth.resolution_m, look);
-    }
+  for (const Eigen::Vector2d& direction : directions_) {
+    VisitCellsAlong(origin, direction, max_range_m_ / truth.resolution_m, look);
   }
-  if (space.view_points == 0) {
+}
+
+SeenSpace LookAround(const map::TrinaryMap& truth, const backend::Trajectory& true_poses,
+                     double max_range_m) {
+  Lookout lookout(&truth, max_range_m);
+  for (const auto& [stamp_s, pose] : true_poses) lookout.Look(pose);
+  if (lookout.seen().view_points == 0) {
     throw std::runtime_error(
         "expected true poses in the free space of the true map, found none there");
   }
-  return space;
+  return lookout.seen();
 }
 
 }  // namespace gmapping_spa::metrics

@@ -40,6 +40,13 @@ EXAMPLES = {
         ("A map of a simulated building:",
          "simulate_slam --world=DATA/worlds/paper_building.yaml --output_dir=out/slam --seed=1"),
     ],
+    "drive": [
+        ("A page on which you drive a robot through a building while maps are made of it:",
+         "drive --world=DATA/worlds/paper_building.yaml --output_dir=out/tour"),
+        ("With the paper's obstacles and a pedestrian, twice as fast as real time:",
+         "drive --world=DATA/worlds/paper_building.yaml --obstacles=DATA/worlds/paper_obstacles.yaml "
+         "--walking_pedestrian --speed=2"),
+    ],
     "evaluate_trajectory": [
         ("Errors of a trajectory:",
          "evaluate_trajectory --truth=out/simulated/truth.tum --trajectory=out/slam/trajectory.tum"),

@@ -24,6 +24,15 @@ BodyVelocity ToBodyVelocity(const WheelSpeeds& wheels, double wheel_base_m);
 // Inverse of ToBodyVelocity.
 WheelSpeeds ToWheelSpeeds(const BodyVelocity& velocity, double wheel_base_m);
 
+struct AccelerationLimits {
+  double linear_m_s2 = 1.0;
+  double angular_rad_s2 = 2.0;
+};
+
+// From `velocity` as near to `wanted` as the limits allow within a while.
+BodyVelocity Accelerate(const BodyVelocity& velocity, const BodyVelocity& wanted,
+                        const AccelerationLimits& limits, double duration_s);
+
 // The pose after driving for a while at constant velocity: the exact integral, a circular arc, of
 //   x' = v cos(theta), y' = v sin(theta), theta' = omega.                                      (1)
 backend::SE2 Drive(const backend::SE2& world_T_robot, const BodyVelocity& velocity,

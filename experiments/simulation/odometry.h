@@ -55,6 +55,10 @@ class Odometry {
   // Takes in a step of true motion.
   void Integrate(const BodyVelocity& true_velocity, double duration_s);
 
+  // Of steps to come: OdometryOptions::noise and slips_per_m.
+  void SetNoise(double factor) { options_.noise = factor; }
+  void SetSlips(double slips_per_m) { options_.slips_per_m = slips_per_m; }
+
   // What the robot believes: starts at the identity.
   const backend::SE2& odom_T_robot() const { return odom_T_robot_; }
   const BodyVelocity& measured_velocity() const { return measured_velocity_; }

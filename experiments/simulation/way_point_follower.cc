@@ -134,12 +134,9 @@ BodyVelocity WayPointFollower::Turn(double duration_s) {
 }
 
 BodyVelocity WayPointFollower::Toward(const BodyVelocity& wanted, double duration_s) const {
-  const double speed_change = options_.max_acceleration_m_s2 * duration_s;
-  const double turn_rate_change = options_.max_angular_acceleration_rad_s2 * duration_s;
-  return {std::clamp(wanted.linear_m_s, velocity_.linear_m_s - speed_change,
-                     velocity_.linear_m_s + speed_change),
-          std::clamp(wanted.angular_rad_s, velocity_.angular_rad_s - turn_rate_change,
-                     velocity_.angular_rad_s + turn_rate_change)};
+  return Accelerate(velocity_, wanted,
+                    {options_.max_acceleration_m_s2, options_.max_angular_acceleration_rad_s2},
+                    duration_s);
 }
 
 }  // namespace gmapping_spa::simulation

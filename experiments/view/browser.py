@@ -58,6 +58,12 @@ class Browser:
         actions = [{"type": kind, "value": key} for key in keys for kind in ("keyDown", "keyUp")]
         self.call("/actions", {"actions": [{"type": "key", "id": "keys", "actions": actions}]})
 
+    def hold(self, keys, release=()):
+        """Lets go of keys, then presses others and keeps them down."""
+        actions = [{"type": "keyUp", "value": key} for key in release]
+        actions += [{"type": "keyDown", "value": key} for key in keys]
+        self.call("/actions", {"actions": [{"type": "key", "id": "keys", "actions": actions}]})
+
     def click_at(self, x, y):
         """In pixels from the upper left corner of the page."""
         self.call("/actions", {"actions": [{"type": "pointer", "id": "mouse", "actions": [

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Writes page_files.cc: the files of a page as arrays of bytes.
-#   cmake -DFOLDER=<page> -DFILES=<name>,<name>,... -DOUTPUT=<cc> -P embed_page.cmake
+# Writes page_files.cc: the files of a page as arrays of bytes, for the library experiments/<LIBRARY>.
+#   cmake -DLIBRARY=<name> -DFOLDER=<page> -DFILES=<name>,<name>,... -DOUTPUT=<cc> -P embed_page.cmake
 set(arrays "")
 set(entries "")
 set(count 0)
@@ -26,11 +26,11 @@ foreach(name IN LISTS FILES)
   math(EXPR count "${count} + 1")
 endforeach()
 file(WRITE ${OUTPUT} "// Made by embed_page.cmake.
-#include \"experiments/view/page_files.h\"
+#include \"experiments/${LIBRARY}/page_files.h\"
 
 #include <cstddef>
 
-namespace gmapping_spa::view {
+namespace gmapping_spa::${LIBRARY} {
 namespace {
 
 ${arrays}
@@ -41,10 +41,10 @@ std::string_view Text(const unsigned char (&bytes)[kSize]) {
 
 }  // namespace
 
-std::vector<StaticFile> PageFiles() {
+std::vector<view::StaticFile> PageFiles() {
   return {
 ${entries}  };
 }
 
-}  // namespace gmapping_spa::view
+}  // namespace gmapping_spa::${LIBRARY}
 ")

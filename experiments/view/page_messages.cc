@@ -4,22 +4,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "experiments/view/json_values.h"
+
 namespace gmapping_spa::view {
 namespace {
 
 using nlohmann::json;
-
-// Short, and JSON knows no nan.
-json Rounded(double value, double scale) {
-  return std::isfinite(value) ? json(std::round(value * scale) / scale) : json();
-}
-json Millimeters(double value_m) { return Rounded(value_m, 1e3); }
-json Milliradians(double value_rad) { return Rounded(value_rad, 1e4); }
-json Seconds(double value_s) { return Rounded(value_s, 1e3); }
-
-json PoseJson(const backend::SE2& pose) {
-  return {Millimeters(pose.x), Millimeters(pose.y), Milliradians(pose.theta)};
-}
 
 const char* PhaseName(Phase phase) {
   switch (phase) {
@@ -89,11 +79,6 @@ json CandidateJson(std::size_t position, const loop_closure::ClosureRecord& reco
           {"mutual_inlier_ratio", Rounded(record.mutual_inlier_ratio, 1e3)},
           {"mahalanobis_sq", Rounded(record.mahalanobis_sq, 10)},
           {"old_T_node", PoseJson(record.old_T_node)}};
-}
-
-// Text that came from a file may not be UTF-8.
-MessagePtr Dumped(const json& message) {
-  return TextMessage(message.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The socket to the program: it comes back by itself when it is lost.
 
-const PROTOCOL = "gmapping_spa.view.v1";
 const FIRST_WAIT_MS = 500;
 const LONGEST_WAIT_MS = 4000;
 
@@ -10,7 +9,8 @@ export class Connection {
   #wait_ms = FIRST_WAIT_MS;
 
   // on_message(object or ArrayBuffer), on_state("connecting" | "open" | "lost")
-  constructor(on_message, on_state) {
+  constructor(protocol, on_message, on_state) {
+    this.protocol = protocol;
     this.on_message = on_message;
     this.on_state = on_state;
     this.#open();
@@ -20,7 +20,7 @@ export class Connection {
   #open() {
     if (this.#socket !== null && this.#socket.readyState <= WebSocket.OPEN) return;
     const scheme = location.protocol === "https:" ? "wss:" : "ws:";
-    const socket = new WebSocket(`${scheme}//${location.host}/`, PROTOCOL);
+    const socket = new WebSocket(`${scheme}//${location.host}/`, this.protocol);
     this.#socket = socket;
     socket.binaryType = "arraybuffer";
     socket.onopen = () => {
@@ -42,7 +42,7 @@ export class Connection {
     this.#wait_ms = Math.min(2 * this.#wait_ms, LONGEST_WAIT_MS);
   }
 
-  send(op) {
-    if (this.#socket.readyState === WebSocket.OPEN) this.#socket.send(JSON.stringify({op}));
+  send(op, values = {}) {
+    if (this.#socket.readyState === WebSocket.OPEN) this.#socket.send(JSON.stringify({op, ...values}));
   }
 }

@@ -5,7 +5,7 @@ const PAN_PX = 60;
 const ZOOM = 1.25;
 
 // [what help says, keys, action]
-const KEYS = [
+export const KEYS = [
   ["pan", {ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}, (app, [dx, dy]) => {
     app.camera.pan(dx * PAN_PX, dy * PAN_PX);
   }],
@@ -24,18 +24,19 @@ const KEYS = [
 
 const NAMES = {ArrowLeft: "←", ArrowRight: "→", ArrowUp: "↑", ArrowDown: "↓", " ": "space"};
 
-function isForControl(event) {
+export function isForControl(event) {
   const {target, key} = event;
   if (!(target instanceof Element)) return false;
   if (target.closest("dialog[open]") !== null) return true;
+  if (target.matches("select")) return key !== "Escape" && key !== "?";
   if (target.matches("button, summary, input[type=checkbox]")) return key === " " || key === "Enter";
   return target.matches("input[type=range]") && (key.startsWith("Arrow") || key === " ");
 }
 
-export function watchKeys(app) {
+export function watchKeys(list, app) {
   addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || isForControl(event)) return;
-    for (const [, keys, action] of KEYS) {
+    for (const [, keys, action] of list) {
       if (!Object.hasOwn(keys, event.key)) continue;
       event.preventDefault();
       action(app, keys[event.key]);
@@ -44,12 +45,12 @@ export function watchKeys(app) {
   });
 }
 
-export function listKeys(list) {
-  for (const [what, keys] of KEYS) {
+export function listKeys(list, parent) {
+  for (const [what, keys] of list) {
     const term = document.createElement("dt"), text = document.createElement("dd");
     term.textContent = Object.keys(keys).filter((key) => key !== "=")
         .map((key) => NAMES[key] ?? key).join(" ");
     text.textContent = what;
-    list.append(term, text);
+    parent.append(term, text);
   }
 }

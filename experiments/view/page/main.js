@@ -7,7 +7,7 @@ import {isAccepted} from "./closures.js";
 import {onThemeChange, readColors} from "./colors.js";
 import {Connection} from "./connection.js";
 import {HealthPanel} from "./health_panel.js";
-import {listKeys, watchKeys} from "./keyboard.js";
+import {KEYS, listKeys, watchKeys} from "./keyboard.js";
 import {Pane} from "./pane.js";
 import {sceneOf} from "./past.js";
 import {Run} from "./run.js";
@@ -40,7 +40,7 @@ class App {
       for (const pane of this.panes) pane.theme_changed();
       this.redraw();
     });
-    this.connection = new Connection((message) => this.#take(message), (state) => {
+    this.connection = new Connection("gmapping_spa.view.v1", (message) => this.#take(message), (state) => {
       this.connection_state = state;
       this.redraw();
     });
@@ -65,8 +65,8 @@ class App {
         this.redraw();
       });
     }
-    listKeys(element("keys"));
-    watchKeys(this);
+    listKeys(KEYS, element("keys"));
+    watchKeys(KEYS, this);
   }
 
   #take(message) {

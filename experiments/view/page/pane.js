@@ -83,17 +83,25 @@ export class Pane {
     if (scene !== null && layers.map) {
       this.#update_map(scene);
       context.globalAlpha = scene.is_map_of_that_time ? 1 : 0.35;
-      this.#map.paint(context, camera, size, this.run.resolution_m);
+      this.in_map(pen, (map_pen) => {
+        this.#map.paint(context, map_pen.camera, map_pen.size, this.run.resolution_m);
+      });
       context.globalAlpha = 1;
     }
     const step_m = drawGrid(pen);
-    if (scene !== null) this.#draw_scene(pen, scene);
+    if (scene !== null) this.in_map(pen, (map_pen) => this.#draw_scene(map_pen, scene));
+    this.draw_over(pen, scene);
     drawScale(pen, step_m);
     this.#tell(scene);
   }
 
+  // For panes that show more: calls draw with a pen in the frame of the map, and draws over all.
+  in_map(pen, draw) { draw(pen); }
+  draw_over() {}
+
   #draw_scene(pen, scene) {
-    const {layers, time_s, selection, colors} = this.app;
+    const {layers, time_s, selection} = this.app;
+    const {colors} = pen;
     if (layers.refused) {
       drawClosures(pen, linesOf(this.run, time_s, (c) => !isAccepted(c)), colors.refused, 1, [5, 4]);
     }

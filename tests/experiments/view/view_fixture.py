@@ -17,11 +17,11 @@ NEEDS_BROWSER = unittest.skipIf(browser.MISSING, f"no {' and no '.join(browser.M
 
 
 class Program:
-    """gmapping_spa with --view, from when the page is served."""
+    """gmapping_spa with --view, or another program with a page, from when the page is served."""
 
-    def __init__(self, *flags, port=0):
+    def __init__(self, *flags, port=0, name="gmapping_spa"):
         self.process = subprocess.Popen(
-            [BINARIES / "gmapping_spa", f"--view_port={port}", *flags], text=True,
+            [BINARIES / name, f"--view_port={port}", *flags], text=True,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         said = []
         for line in self.process.stderr:

@@ -1,0 +1,210 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""The page to drive on, in a real browser, by keys and clicks. With GMAPPING_SPA_SCREENSHOTS, a
+folder, it leaves pictures there to look at."""
+import json
+import math
+import os
+import pathlib
+import subprocess
+import time
+import unittest
+
+import yaml
+
+import drive_fixture
+import browser
+import view_fixture
+
+SCREENSHOTS = os.environ.get("GMAPPING_SPA_SCREENSHOTS")
+APP = "gmapping_spa_drive"
+STATUS = f"{APP}.status"
+UP, LEFT, RIGHT, TAB, ESCAPE = "\ue013", "\ue012", "\ue014", "\ue004", "\ue00c"
+SPEED = 2
+
+
+class Steering:
+    """Somebody who looks where the robot is and holds arrow keys."""
+
+    def __init__(self, page):
+        self.page = page
+        self.held = set()
+        self.looked = time.monotonic()
+
+    def hold(self, keys):
+        if keys != self.held:
+            self.page.hold(sorted(keys - self.held), sorted(self.held - keys))
+            self.held = keys
+
+    def keys_toward(self, goal):
+        """None where the robot has arrived."""
+        (x, y, theta), (speed, turn_rate) = self.page.run(f"return [{STATUS}.pose, {STATUS}.velocity]")
+        # Of simulated time, from what is seen to what is done: longer where others keep the machine busy.
+        now = time.monotonic()
+        delay_s = SPEED * (0.15 + min(now - self.looked, 1))
+        self.looked = now
+        x += speed * delay_s * math.cos(theta)
+        y += speed * delay_s * math.sin(theta)
+        theta += turn_rate * delay_s + turn_rate * abs(turn_rate) / 4  # until it stops turning
+        distance = math.hypot(goal[0] - x, goal[1] - y)
+        if distance < 0.6:
+            return None
+        error = math.remainder(math.atan2(goal[1] - y, goal[0] - x) - theta, math.tau)
+        keys = set()
+        if abs(error) > 0.08:
+            keys.add(LEFT if error > 0 else RIGHT)
+        if abs(error) < 0.4 and distance > 0.3 + speed * speed / 2 and speed * delay_s < 1:
+            keys.add(UP)
+        return keys
+
+    def drive(self, way_points, timeout_s=300):
+        end = time.monotonic() + timeout_s
+        for goal in way_points:
+            while (keys := self.keys_toward(goal)) is not None:
+                if time.monotonic() > end:
+                    raise AssertionError(f"{goal} was not reached in {timeout_s} s")
+                self.hold(keys)
+                time.sleep(0.02)
+        self.hold(set())
+
+
+@view_fixture.NEEDS_BROWSER
+class DrivePageTest(drive_fixture.DriveTestCase):
+    def begin(self, *flags):
+        self.program = self.start(*flags)
+        self.browser = browser.Browser(str(self.folder / "profile"))
+        self.addCleanup(self.browser.close)
+        self.browser.call("/url", {"url": self.program.url})
+        self.browser.wait_for(STATUS)
+        self.browser.wait_for(f"{APP}.runs.size > 1")
+
+    def picture(self, name):
+        if SCREENSHOTS:
+            time.sleep(0.4)
+            self.browser.screenshot(pathlib.Path(SCREENSHOTS) / f"{name}.png")
+
+    def text(self, selector):
+        return self.browser.run(f"return document.querySelector('{selector}').textContent")
+
+    def expect_silent_console(self):
+        self.assertEqual(self.browser.log("browser"), [])
+
+    def go(self, x, y):
+        self.browser.run(f"{APP}.goal({x}, {y})")
+        self.browser.wait_for(f"Math.hypot({STATUS}.pose[0] - {x}, {STATUS}.pose[1] - {y}) < 0.6")
+
+    def save(self):
+        self.browser.press("v")
+        self.browser.wait_for(f"{STATUS}.note.includes('scans saved in')", timeout_s=180)
+
+    def test_tour_by_keys_ends_with_a_map_as_good_as_that_of_the_log(self):
+        self.begin(f"--speed={SPEED}", *drive_fixture.OBSTACLES)
+        path = drive_fixture.WORLDS / "paper_building.short.path.yaml"
+        way_points = yaml.safe_load(path.read_text())["way_points"][1:]
+        steering = Steering(self.browser)
+        steering.drive(way_points[:3])
+        self.browser.run(f"{APP}.connection.send('add', {{backend: 'none', particles: 30, correction: 'trajectory'}})")
+        steering.drive(way_points[3:6])
+        self.picture("driving")
+        steering.drive(way_points[6:])
+        self.save()
+        self.picture("saved")
+        online = self.browser.wait_for(f"{APP}.variants.find(({{run, iou}}) => run === 1 && iou !== null)")
+        out = self.folder / "out"
+        offline = self.run_offline()
+        self.expect_same(offline / "trajectory.tum", out / "variant_1.tum")
+        errors = json.loads(subprocess.run(
+            [drive_fixture.BINARIES / "evaluate_map", f"--map={offline / 'map.yaml'}",
+             f"--trajectory={offline / 'trajectory.tum'}", f"--truth={out / 'truth.yaml'}",
+             f"--truth_trajectory={out / 'truth.tum'}"], check=True, capture_output=True).stdout)
+        print(f"IoU on the page {online['iou']}, offline {errors['iou']}")
+        self.assertLess(abs(online["iou"] - errors["iou"]), 0.02)
+        self.assertGreater(online["iou"], 0.8)
+        self.assertLess(online["ate_m"], 0.1)
+        self.expect_silent_console()
+
+    def test_click_is_a_goal_and_keys_take_over(self):
+        self.begin("--speed=5")
+        place = self.browser.run(f"""
+            const app = {APP}, pane = app.panes[0];
+            const [x, y] = app.camera.to_screen(20.1, 4.2, pane.size);
+            const box = pane.canvas.getBoundingClientRect();
+            return [box.left + x, box.top + y];""")
+        self.browser.click_at(*place)
+        self.browser.wait_for(f"{STATUS}.way.length > 0")
+        self.picture("goal")
+        self.browser.wait_for(f"Math.hypot({STATUS}.pose[0] - 20.1, {STATUS}.pose[1] - 4.2) < 0.6", timeout_s=120)
+        self.browser.wait_for(f"{STATUS}.state === 'waiting'")
+        self.browser.click_at(*place[:1], place[1] - 40)
+        self.browser.wait_for(f"{STATUS}.state === 'driving'")
+        self.browser.hold("s")
+        self.browser.wait_for(f"{STATUS}.way.length === 0 && {STATUS}.velocity[0] < 0")
+        self.browser.hold("", "s")
+        self.expect_silent_console()
+
+    def test_maps_are_added_and_removed_by_keys_alone(self):
+        self.begin("--speed=5")
+        self.go(13, 8.2)
+        for _ in range(40):
+            self.browser.press(TAB)
+            if self.browser.run("return document.activeElement.id") == "add_button":
+                break
+        self.browser.press(" ")
+        self.browser.wait_for(f"{APP}.runs.size === 3 && {APP}.runs.get(2).frame")
+        self.assertIn("none, 30 particles", self.text("#variants"))
+        self.browser.wait_for(f"{APP}.variants.every(({{iou}}) => iou !== null)")
+        self.picture("two_maps")
+        self.browser.press(ESCAPE)
+        self.assertEqual(self.browser.run("return document.activeElement.tagName"), "BODY")
+        self.browser.click(".variant button")
+        self.browser.wait_for(f"{APP}.runs.size === 2")
+        self.expect_silent_console()
+
+    def test_sliders_change_the_wheels(self):
+        self.begin("--speed=5")
+        self.browser.click("#noise")
+        self.browser.wait_for(f"Math.abs({STATUS}.noise - 5) < 0.5")
+        self.browser.press(RIGHT)
+        self.browser.wait_for(f"{STATUS}.noise > 5")
+        self.assertIn("times", self.text("#noise_text"))
+        self.expect_silent_console()
+
+    def test_reload_and_lost_connection_come_back(self):
+        self.begin("--speed=5")
+        self.go(13, 8.2)
+        self.browser.wait_for(f"{STATUS}.state === 'waiting'")
+        before = self.browser.run(f"return [{STATUS}.pose, {APP}.runs.get(1).tiles.latest.size]")
+        self.browser.call("/refresh", {})
+        self.browser.wait_for(f"{STATUS} && {APP}.runs.get(1)?.frame")
+        time.sleep(0.5)
+        after = self.browser.run(f"return [{STATUS}.pose, {APP}.runs.get(1).tiles.latest.size]")
+        self.assertEqual(after, before)
+        self.expect_silent_console()
+        self.program.end()
+        self.browser.wait_for(f"{APP}.connection_state === 'lost'")
+        self.assertIn("connection lost", self.text("#status"))
+        self.start("--speed=5", port=self.program.port, output="again")
+        self.browser.wait_for(f"{APP}.connection_state === 'open' && {STATUS}.path_m === 0")
+
+    def test_narrow_window_shows_all_without_scrolling_sideways(self):
+        self.begin("--speed=5")
+        self.go(13, 8.2)
+        self.browser.resize(500, 900)
+        time.sleep(0.5)
+        self.picture("narrow")
+        width, inner = self.browser.run("return [document.documentElement.scrollWidth, innerWidth]")
+        self.assertLessEqual(width, inner)
+        self.expect_silent_console()
+
+    def test_help_opens_by_a_key(self):
+        self.begin()
+        self.browser.press("?")
+        self.browser.wait_for("document.getElementById('help').open")
+        self.picture("help")
+        self.browser.press(ESCAPE)
+        self.browser.wait_for("!document.getElementById('help').open")
+        self.expect_silent_console()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,118 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is driven over a WebSocket and saved is what gmapping_spa makes of the log, and a tour that
+is driven again gives the same bytes."""
+import json
+import signal
+import unittest
+
+import drive_fixture
+import web_socket
+
+DRIVE = "gmapping_spa.drive.v1"
+
+
+class DriveResultsTest(drive_fixture.DriveTestCase):
+    def open(self, program):
+        connection, status = web_socket.open_socket(program.port, DRIVE)
+        self.assertEqual(status, 101)
+        self.addCleanup(connection.close)
+        return connection
+
+    def send(self, connection, op, **values):
+        web_socket.send(connection, json.dumps({"op": op, **values}).encode())
+
+    def wait_for(self, connection, op, is_so):
+        """The first message of this kind that is so."""
+        while True:
+            opcode, data = web_socket.receive(connection)
+            if opcode == web_socket.PING:
+                web_socket.send(connection, data, web_socket.PONG)
+            if opcode != web_socket.TEXT:
+                continue
+            message = json.loads(data)
+            if message["op"] == op and is_so(message):
+                return message
+
+    def drive(self, connection):
+        """A few meters, with a turn."""
+        self.send(connection, "odometry", noise=3, slips=0.5)
+        self.send(connection, "hold", forward=1, left=0)
+        self.wait_for(connection, "status", lambda status: status["path_m"] > 5)
+        self.send(connection, "hold", forward=0, left=1)
+        self.wait_for(connection, "status", lambda status: status["pose"][2] > 0.5)
+        self.send(connection, "hold", forward=0, left=0)
+        self.wait_for(connection, "status", lambda status: status["state"] == "waiting")
+
+    def save(self, connection):
+        self.send(connection, "save")
+        self.wait_for(connection, "status", lambda status: "scans saved in" in status["note"])
+
+    def test_each_map_is_that_of_gmapping_spa_on_the_log(self):
+        program = self.start("--speed=20", "--particles=3", *drive_fixture.OBSTACLES)
+        connection = self.open(program)
+        self.drive(connection)
+        self.send(connection, "add", backend="none", particles=7, correction="pose")
+        self.save(connection)
+        out = self.folder / "out"
+        self.assertTrue((out / "truth_obstacles.yaml").exists())
+        offline = self.run_offline("--particles=3")
+        self.expect_same(offline / "trajectory.tum", out / "variant_1.tum")
+        self.expect_same(offline / "map.pgm", out / "variant_1.pgm")
+        offline = self.run_offline("--backend=none", "--particles=7", "--correction=pose")
+        self.expect_same(offline / "trajectory.tum", out / "variant_2.tum")
+        record = json.loads((out / "drive.json").read_text())
+        self.assertEqual([variant["backend"] for variant in record["variants"]], ["spa", "none"])
+        self.assertLess(record["variants"][0]["ate_m"], 0.2)
+
+    def test_tour_that_is_driven_again_gives_the_same_bytes(self):
+        program = self.start("--speed=20")
+        connection = self.open(program)
+        self.drive(connection)
+        self.save(connection)
+        again = self.start(f"--replay={self.folder / 'out' / 'commands.csv'}", output="again")
+        self.save(self.open(again))
+        for name in ("log.clf", "truth.tum", "truth.pgm", "commands.csv", "variant_1.tum"):
+            self.expect_same(self.folder / "out" / name, self.folder / "again" / name)
+
+    def test_who_goes_away_lets_go_of_the_keys(self):
+        program = self.start("--speed=20")
+        connection = self.open(program)
+        self.send(connection, "hold", forward=1, left=0)
+        self.wait_for(connection, "status", lambda status: status["path_m"] > 1)
+        connection.close()
+        self.wait_for(self.open(program), "status", lambda status: status["state"] == "waiting")
+
+    def test_what_is_not_saved_is_said_at_the_end(self):
+        program = self.start("--speed=20")
+        connection = self.open(program)
+        self.drive(connection)
+        program.process.send_signal(signal.SIGINT)
+        _, err = program.process.communicate(timeout=60)
+        self.assertEqual(program.process.returncode, 0, err)
+        self.assertRegex(err, r"the last \d+ scans of the tour were not saved")
+
+    def test_pages_of_other_origins_are_refused(self):
+        program = self.start()
+        for origin, expected in (("http://elsewhere.example", 403), (program.url.rstrip("/"), 101)):
+            connection, status = web_socket.open_socket(program.port, DRIVE, origin=origin)
+            connection.close()
+            self.assertEqual(status, expected, origin)
+
+    def test_nonsense_ends_its_own_connection_only(self):
+        program = self.start("--speed=20")
+        connection = self.open(program)
+        bad = self.open(program)
+        self.send(bad, "add", backend="/tmp/mine.so", particles=5, correction="pose")
+        self.assertTrue(web_socket.is_closed(bad))
+        self.drive(connection)
+
+    def test_flags_of_tours_are_refused(self):
+        with self.assertRaisesRegex(AssertionError, "--crowd=3: expected to be left out"):
+            self.start("--crowd=3")
+        with self.assertRaisesRegex(AssertionError, "commands.csv: cannot be read"):
+            self.start("--replay=/nowhere/commands.csv")
+
+
+if __name__ == "__main__":
+    unittest.main()
