@@ -29,7 +29,7 @@ for option in "$@"; do
       grep -q '^ID=ubuntu' /etc/os-release || packages+=(chromium chromium-driver)
       ;;
     fuzz) packages+=(clang libclang-rt-dev) ;;
-    packages) packages+=(dpkg-dev file groff-base man-db mmdebstrap) ;;
+    packages) packages+=(dpkg-dev file groff-base lintian man-db mmdebstrap) ;;
     python) packages+=(pybind11-dev python3-dev python3-matplotlib python3-numpy python3-venv) ;;
     ros)
       # Ubuntu has ROS in archives of its own only.

@@ -163,21 +163,23 @@ void ImprovedGmapping::StartOptimization() {
   graph_thread_.Start(std::move(graph));
 }
 
-// Eq. (14). Poses that came in since the optimization started move with its last one.
+// Eq. (14). Poses that came in since the optimization started move with its last one. Pieces that
+// it joins move as a whole in any case: until then they lay anywhere.
 void ImprovedGmapping::ApplyOptimizedGraph(const backend::PoseGraph& optimized) {
   const particle_filter::PathCorrection correction{world_T_nodes_before_,
                                                    backend::PosesOf(optimized)};
-  if (correction.after == correction.before) return;
+  const int latest = static_cast<int>(node_scans_.size()) - 1;
+  std::vector<bool> is_drawn = loop_closer_.pieces().JoinedWith(latest, closures_before_);
+  const bool joins = is_drawn != is_drawn_;
+  if (correction.after == correction.before && !joins) return;
   ++counts_.corrections;
-  if (options_.correction == Correction::kPose) {
+  if (options_.correction == Correction::kPose && !joins) {
     filter_.CorrectCurrentPoses(correction);
-  } else {
-    const int latest = static_cast<int>(node_scans_.size()) - 1;
-    std::vector<bool> is_drawn = loop_closer_.pieces().JoinedWith(latest, closures_before_);
-    if (is_drawn != is_drawn_) filter_.ForgetMapHistory();
-    is_drawn_ = std::move(is_drawn);
-    filter_.CorrectHistories(correction, [this](int node) { return DrawnScanOfNode(node); });
+    return;
   }
+  if (joins) filter_.ForgetMapHistory();
+  is_drawn_ = std::move(is_drawn);
+  filter_.CorrectHistories(correction, [this](int node) { return DrawnScanOfNode(node); });
 }
 
 void ImprovedGmapping::ReportClosures(const std::vector<SE2>& world_T_nodes) {
@@ -232,7 +234,8 @@ SlamResult ImprovedGmapping::CurrentResult() const {
 
 SlamResult ImprovedGmapping::FinishEarly() {
   if (const auto optimized = graph_thread_.Finish()) ApplyOptimizedGraph(*optimized);
-  ReportPieces(is_drawn_);
+  JoinPieces();
+  ReportPieces(session_ ? DrawnInTheEnd() : is_drawn_);
   ReportClosures(filter_.PosesOfPath(filter_.BestParticle()));
   return CurrentResult();
 }

@@ -96,7 +96,8 @@ class ImprovedGmapping {
 
   // Scans to come are of another log, from another start: a new piece of map, until the robot is
   // found in the map of all scans up to now, which FinalOptimization makes. Needs a scan. Health
-  // and counts begin anew; rows of trajectories go on.
+  // and counts begin anew; rows of trajectories go on. The particles become as many as the options
+  // say.
   void BeginSession(MapSession::Use use);
   const std::optional<MapSession>& session() const { return session_; }
 
@@ -160,6 +161,7 @@ class ImprovedGmapping {
     if (!session_)
       session_.emplace(MapSession::Use::kMapOn, MapSession::Known(options_.filter.grid));
     archive(*session_);
+    if constexpr (Archive::is_loading::value) LeaveSearchToSession();
   }
 
  private:
@@ -178,6 +180,8 @@ class ImprovedGmapping {
   FinalOptimization MakeFinalOptimization(const FinalOptimization::Options& options);
   SlamResult FinishWith(const FinalOptimization::Options& options);
   void ReportPieces(const std::vector<bool>& is_drawn);
+  void JoinPieces();
+  void LeaveSearchToSession();
   void ReportClosures(const std::vector<backend::SE2>& world_T_nodes);
   bool CloseLoops();
   void StartOptimization();

@@ -3,6 +3,7 @@
 // known.
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,6 +37,24 @@ void ImprovedGmapping::BeginPiece(int scans) {
   if (options_.filter.motion.noise_at_each_scan) increments_since_update_.push_back(since);
   linear_since_update_m_ = since.translation().norm();
   angular_since_update_rad_ = std::abs(since.theta);
+}
+
+// Puts pieces to where closures join them that no optimization has put there: they came after the
+// last one began, or it failed, or was not waited for.
+void ImprovedGmapping::JoinPieces() {
+  const loop_closure::Pieces& pieces = loop_closer_.pieces();
+  if (pieces.size() == 1) return;
+  backend::PoseGraphRecorder recorder;
+  EmitGraph(&recorder);
+  world_T_nodes_before_ = backend::PosesOf(recorder.graph());
+  closures_before_ = loop_closer_.closures();
+  backend::PoseGraph graph = recorder.graph();
+  pieces.Arrange(closures_before_, &graph);
+  if (closure_waits_) {
+    if (const auto optimized = graph_thread_.Run(graph)) graph = *optimized;
+    closure_waits_ = false;
+  }
+  ApplyOptimizedGraph(graph);
 }
 
 // Nothing is drawn over a map that it is not joined with.
@@ -106,10 +125,18 @@ void ImprovedGmapping::BeginSession(MapSession::Use use) {
   of_before.trajectory = known.trajectory;
   of_before.first_index = first_index;
   session_.emplace(use, std::move(of_before));
+  LeaveSearchToSession();
   archive_.BeginSession();
   health_ = Health();
   control_ = ControlInput(options_.control, &health_);
   counts_ = Counts();
+}
+
+// The look of a place finds some that are like it; in the old map the session looks at all there
+// are.
+void ImprovedGmapping::LeaveSearchToSession() {
+  loop_closer_.JoinPiecesFrom(session_->is_fixed() ? std::numeric_limits<int>::max()
+                                                   : session_->nodes());
 }
 
 bool ImprovedGmapping::HasTaken(std::int64_t k, const sensor::LaserScan& scan) const {

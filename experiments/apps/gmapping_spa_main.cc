@@ -96,7 +96,8 @@ void Run() {
                                       " scans, without the final optimization"));
   }
   std::cout << counts.scans << " scans, " << counts.updates << " updates, " << counts.resamplings
-            << " resamplings; results in " << FLAGS_output_dir << std::endl;
+            << " resamplings" << slam.WordsOnLocalization() << "; results in " << FLAGS_output_dir
+            << std::endl;
   if (live_view) EndLiveView(live_view.get());
 }
 
@@ -117,6 +118,6 @@ int main(int argc, char** argv) {
       "       gmapping_spa --view=DIR[,DIR]\n"
       "Writes the trajectory (trajectory.tum, trajectory.kitti with times.txt), the map (map.pgm "
       "with map.yaml, map.png, map_cells.png), the pose graph (graph.g2o with graph.stamps), "
-      "loop_closures.csv and run.json.",
+      "loop_closures.csv and run.json,\nwith --localize localization.csv, too.",
       gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);
 }

@@ -18,21 +18,37 @@ Eigen::Matrix3d MovedAlong(const Eigen::Matrix3d& covariance, const backend::SE2
   return jacobian * covariance * jacobian.transpose();
 }
 
+// Without closures that the back end rejects, and without what is known next to nothing of: edges
+// that lead to pieces which were never joined. The nodes of these are held, so that all poses are
+// determined.
+backend::PoseGraph EdgesThatTell(const frontend::ImprovedGmapping& gmapping,
+                                 const backend::PoseGraph& graph) {
+  const loop_closure::Pieces& pieces = gmapping.loop_closer().pieces();
+  const std::vector<bool> is_joined =
+      pieces.Largest(gmapping.session()->nodes(), gmapping.loop_closer().closures());
+  const auto is_placed = [&](std::int64_t node) {
+    return is_joined[pieces.PieceOf(static_cast<int>(node))];
+  };
+  backend::PoseGraph used{graph.nodes, {}};
+  for (backend::Node& node : used.nodes) node.fixed = node.fixed || !is_placed(node.id);
+  const auto& rejected = gmapping.graph_thread().rejected_closures();
+  for (const backend::Edge& edge : graph.edges) {
+    const bool is_rejected = std::any_of(rejected.begin(), rejected.end(), [&](const auto& one) {
+      return one.i == edge.i && one.j == edge.j;
+    });
+    if (!is_rejected && is_placed(edge.i) && is_placed(edge.j)) used.edges.push_back(edge);
+  }
+  return used;
+}
+
 }  // namespace
 
 std::vector<LocalizedScan> LocalizedScans(const frontend::ImprovedGmapping& gmapping,
                                           const frontend::SlamResult& result,
                                           backend::Optimizer* optimizer) {
   const std::vector<backend::Node>& nodes = result.graph.nodes;
-  backend::PoseGraph used{nodes, {}};
-  const auto& rejected = gmapping.graph_thread().rejected_closures();
-  for (const backend::Edge& edge : result.graph.edges) {
-    const bool is_rejected = std::any_of(rejected.begin(), rejected.end(), [&](const auto& one) {
-      return one.i == edge.i && one.j == edge.j;
-    });
-    if (!is_rejected) used.edges.push_back(edge);
-  }
   const int first_node = gmapping.session()->nodes();
+  const backend::PoseGraph used = EdgesThatTell(gmapping, result.graph);
   std::vector<backend::EdgeNodes> pairs;
   for (int node = first_node; node < static_cast<int>(nodes.size()); ++node) {
     pairs.push_back({node, node});

@@ -49,6 +49,12 @@ void OutputFiles::Write(const std::string& name, const std::function<void(std::o
 }
 
 std::string OutputFiles::TemporaryPath(const std::string& name) {
+  // What is moved over a device or a pipe would take its place.
+  const fs::path path = fs::path(folder_.path) / name;
+  if (fs::exists(path) && !fs::is_regular_file(path)) {
+    throw std::runtime_error("cannot write '" + path.string() +
+                             "': expected a regular file or none, which can be replaced");
+  }
   if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
   return fs::path(staging_.path()) / name;
 }

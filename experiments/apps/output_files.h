@@ -27,7 +27,8 @@ class OutputFiles {
   // Writes one file through a stream; throws with one line when the device is full.
   void Write(const std::string& name, const std::function<void(std::ostream&)>& write);
 
-  // Path of a temporary file for a writer that wants a file name (PNG); it keeps the name.
+  // Path of a temporary file for a writer that wants a file name (PNG); it keeps the name. Throws
+  // with one line, as Write does, when something other than a file has the name, such as a device.
   std::string TemporaryPath(const std::string& name);
 
   // Puts all files in place. Call it once.

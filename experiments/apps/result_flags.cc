@@ -3,12 +3,24 @@
 
 #include <gflags/gflags.h>
 
+#include <optional>
 #include <set>
 #include <stdexcept>
 
+#include "backend/text.h"
 #include "experiments/apps/app.h"
 
 namespace gmapping_spa::apps {
+namespace {
+
+// As a user would write it: gflags gives numbers 17 digits.
+std::string Text(const gflags::CommandLineFlagInfo& info, const std::string& value) {
+  if (info.type != "double") return value;
+  const std::optional<double> number = backend::ParseNumber<double>(value);
+  return number ? backend::ShortestText(*number) : value;
+}
+
+}  // namespace
 
 std::vector<std::string> ResultFlags() {
   // Of files it is the content that counts.
@@ -42,8 +54,9 @@ void CheckResultFlag(const std::string& flag,
   const auto other = of_other_run.find(flag);
   const std::string expected = other == of_other_run.end() ? info.default_value : other->second;
   if (info.current_value == expected) return;
-  throw std::runtime_error(name + ": expected the flags of its run, --" + flag + "=" + expected +
-                           ", found --" + flag + "=" + info.current_value);
+  throw std::runtime_error(name + ": expected the flags of its run, --" + flag + "=" +
+                           Text(info, expected) + ", found --" + flag + "=" +
+                           Text(info, info.current_value));
 }
 
 void CheckResultFlags(const std::map<std::string, std::string>& of_other_run,

@@ -56,7 +56,7 @@ LogFile OpenSessionLog(const std::string& path) {
                                       frontend::MakeScanMatcher(options),
                                       [](backend::PoseGraph*) { return backend::Summary{}; });
   try {
-    session::LoadState(session.state, &gmapping);
+    session::LoadKnown(session.state, &gmapping);
   } catch (const std::exception& error) {
     throw std::runtime_error(path + ": expected the state of a run with these flags, found one " +
                              "that does not fit: " + error.what());

@@ -18,10 +18,13 @@ std::string FolderOf(const std::string& path) {
   return folder.empty() ? "." : folder.string();
 }
 
+std::string NameOf(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
 void WriteTo(const std::string& path, const session::Session& session) {
   OutputFiles files(FolderOf(path));
-  files.Write(std::filesystem::path(path).filename().string(),
-              [&](std::ostream& out) { session::WriteSession(session, &out); });
+  files.Write(NameOf(path), [&](std::ostream& out) { session::WriteSession(session, &out); });
   files.Commit();
 }
 
@@ -29,7 +32,8 @@ void WriteTo(const std::string& path, const session::Session& session) {
 
 SessionSaver::SessionSaver(const std::string& path, double every_s)
     : path_(path), every_s_(every_s) {
-  const OutputFiles fails_before_the_work_and_not_after(FolderOf(path));
+  OutputFiles fails_before_the_work_and_not_after(FolderOf(path));
+  fails_before_the_work_and_not_after.TemporaryPath(NameOf(path));
 }
 
 bool SessionSaver::IsDue() const {

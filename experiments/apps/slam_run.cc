@@ -10,6 +10,7 @@
 #include <string>
 
 #include "backend/out_of_memory.h"
+#include "backend/text.h"
 #include "experiments/apps/app.h"
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/closure_table.h"
@@ -36,22 +37,36 @@ SlamRun::SlamRun(const SlamOptions& options)
   gmapping_.StopWaitingWhen([] { return ReceivedSignal() != 0; });
 }
 
-void SlamRun::Load(const session::Session& session, const std::string& name) {
+void SlamRun::LoadBy(LoadFunction* load, const session::Session& session, const std::string& name) {
   try {
-    session::LoadState(session.state, &gmapping_);
+    load(session.state, &gmapping_);
   } catch (const std::exception& error) {
     throw std::runtime_error(name + ": expected the state of a run with these flags, found one " +
                              "that does not fit: " + error.what());
   }
 }
 
+void SlamRun::Load(const session::Session& session, const std::string& name) {
+  LoadBy(session::LoadState, session, name);
+}
+
 void SlamRun::GoOnInMapOf(const session::Session& session, const std::string& name,
                           frontend::MapSession::Use use) {
   CheckResultFlag("resolution_m", session.info.flags, name);
-  gmapping_.KeepStateOf(optimizer_);
-  Load(session, name);
+  // The back end may be another one: the state of the one before is not asked for.
+  LoadBy(session::LoadKnown, session, name);
   if (counts().updates == 0) throw std::runtime_error(name + ": expected a map, found no scan");
   gmapping_.BeginSession(use);
+}
+
+std::string SlamRun::WordsOnLocalization() const {
+  const std::optional<frontend::MapSession>& session = gmapping_.session();
+  if (!session) return "";
+  if (session->found().empty()) return "; not found in the old map";
+  std::string words = "; found in the old map after " +
+                      backend::FixedText(session->found().front().after_s, 1) + " s";
+  if (session->searches()) words += ", lost in the end";
+  return words;
 }
 
 void SlamRun::Resume(const session::Session& session, const std::string& name) {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "backend/plugin/optimizer.h"
 #include "experiments/apps/json.h"
@@ -39,11 +40,14 @@ class SlamRun {
   // To be called after the last scan: throws std::runtime_error with one line when it catches up.
   void CheckThatSessionEnded() const;
 
-  // Goes on in the map of a session: scans to come are of another log. Throws std::runtime_error
-  // with one line when the session has no scans, cells of another size or does not fit. Call it
-  // before AddScan.
+  // Goes on in the map of a session: scans to come are of another log, and all flags but the size
+  // of cells may be others. Throws std::runtime_error with one line when the session has no scans,
+  // cells of another size or does not fit. Call it before AddScan.
   void GoOnInMapOf(const session::Session& session, const std::string& name,
                    frontend::MapSession::Use use);
+
+  // For the last line to the user: "; found in the old map after 1.5 s"; empty without an old map.
+  std::string WordsOnLocalization() const;
 
   // Call it before AddScan where sessions will be saved. Warns where those that go on with them may
   // end with other bytes.
@@ -80,6 +84,8 @@ class SlamRun {
 
  private:
   explicit SlamRun(const SlamOptions& options);
+  using LoadFunction = void(std::string_view state, frontend::ImprovedGmapping* gmapping);
+  void LoadBy(LoadFunction* load, const session::Session& session, const std::string& name);
   backend::Trajectory OfThisLog(const frontend::SlamResult& result) const;
   bool WriteResults(const std::function<Json()>& input, const sensor::LogCounts& log_counts,
                     OutputFiles* files);

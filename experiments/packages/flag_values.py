@@ -7,6 +7,7 @@ FILES = "FILES"
 FOLDERS = "FOLDERS"
 
 IN_PARENTHESES = re.compile(r" ?\([^()]*\)")
+IN_QUOTES = re.compile(r"'([a-z]+)'")
 WORD = re.compile(r"[a-z][a-z0-9_]*")
 OF_A_FILE = re.compile(r"(?:\w+ )?[Ff]ile\b|Sensor log\b")
 
@@ -32,7 +33,7 @@ def values_of(flag: xml.Element) -> list[str]:
     if kind != "string":
         return []
     if meaning.startswith("Folder"):
-        return [FOLDERS]
+        return [FOLDERS, *IN_QUOTES.findall(meaning)]
     if OF_A_FILE.match(meaning):
         return [FILES]
     words = choices(meaning, flag.findtext("default", ""))

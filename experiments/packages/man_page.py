@@ -10,6 +10,7 @@ import flags_reference
 # Not behind "et al."
 END_OF_SENTENCE = re.compile(r"(?<! al)\.(?: |$)")
 VALUE_NAMES = {"int32": "N", "int64": "N", "uint32": "N", "uint64": "N", "double": "X"}
+NAMES_OF_PATHS = {flag_values.FILES: "FILE", flag_values.FOLDERS: "DIR"}
 EXIT_STATUS = [("0", "Every output is complete."),
                ("1", "Something failed; one line on the standard error says what."),
                ("2", "Every output is complete, and the answer to what was asked is no."),
@@ -39,13 +40,11 @@ def bold_name(name: str, value: str = "") -> str:
 
 def value_name(flag: xml.Element) -> str:
     values = flag_values.values_of(flag)
-    if flag_values.FOLDERS in values:
-        return "DIR"
     if not values:
         return VALUE_NAMES.get(flag.findtext("type"), "TEXT")
-    words = ["FILE" if value == flag_values.FILES else value for value in values]
+    words = [NAMES_OF_PATHS.get(value, value) for value in values]
     # Of a single word, other text may take the place.
-    return "|".join(words if len(words) > 1 or words == ["FILE"] else [*words, "TEXT"])
+    return "|".join([*words, "TEXT"] if len(words) == 1 and words == values else words)
 
 
 def option(flag: xml.Element) -> list[str]:

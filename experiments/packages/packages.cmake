@@ -50,14 +50,15 @@ set(CPACK_COMPONENT_DEV_DESCRIPTION
 gmapping_spa, for programs that do SLAM or optimize pose graphs, and for back
 ends. With examples.")
 set(CPACK_GMAPPING_SPA_DEV_DEPENDS
-  libboost-dev libeigen3-dev libgoogle-glog-dev libmetis-dev libsuitesparse-dev libyaml-cpp-dev
-  pkg-config)
+  libboost-dev libbz2-dev libeigen3-dev libgoogle-glog-dev liblz4-dev libmetis-dev libsqlite3-dev
+  libsuitesparse-dev libyaml-cpp-dev libzstd-dev pkg-config)
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-gmapping-spa)
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION
   "The Python module gmapping_spa: scans as NumPy arrays in, poses, maps and pose
 graphs out.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS python3-matplotlib)  # for the example
 # An extension is for one version of Python.
 execute_process(
   COMMAND python3 -c "import sys; a, b = sys.version_info[:2]; print(f'python3 (>= {a}.{b}~);python3 (<< {a}.{b + 1})')"

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Run by cpack on the files of all packages before it packs them: Debian has man pages packed, and a
-# changelog in each package (Debian Policy 12.1, 12.7).
+# Run by cpack on the files of all packages before it packs them: Debian has man pages packed, a changelog
+# in each package (Debian Policy 12.1, 12.7), and no notes of the compiler in binaries (dh_strip).
 find_program(gzip gzip REQUIRED)
+find_program(strip strip REQUIRED)
 
 function(pack file)
   execute_process(COMMAND ${gzip} --best --no-name --force ${file} COMMAND_ERROR_IS_FATAL ANY)
@@ -9,7 +10,14 @@ endfunction()
 
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} name)
-  set(share ${CPACK_TEMPORARY_DIRECTORY}/${component}${CPACK_PACKAGING_INSTALL_PREFIX}/share)
+  set(prefix ${CPACK_TEMPORARY_DIRECTORY}/${component}${CPACK_PACKAGING_INSTALL_PREFIX})
+  file(GLOB_RECURSE binaries ${prefix}/bin/* ${prefix}/lib/*.a ${prefix}/lib/*.so ${prefix}/lib/*_worker)
+  foreach(binary IN LISTS binaries)
+    execute_process(COMMAND ${strip} --strip-debug --enable-deterministic-archives
+                            --remove-section=.comment --remove-section=.note ${binary}
+                    COMMAND_ERROR_IS_FATAL ANY)
+  endforeach()
+  set(share ${prefix}/share)
   file(GLOB pages ${share}/man/man*/*.1)
   foreach(page IN LISTS pages)
     pack(${page})

@@ -23,7 +23,7 @@ struct TileIndex {
 // A byte a cell, as in ROS's OccupancyGrid: 0 free to 100 occupied, the part of the beams that
 // ended there in percent; kUnknownCell where none has been. Rows from the smallest y up.
 inline constexpr std::uint8_t kUnknownCell = 255;
-using TileImage = std::array<std::uint8_t, map::Tile::kSize * map::Tile::kSize>;
+using TileImage = std::array<std::uint8_t, std::size_t{map::Tile::kSize} * map::Tile::kSize>;
 using TileImages = std::map<TileIndex, TileImage>;
 
 TileImage UnknownImage();

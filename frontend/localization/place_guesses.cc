@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <tuple>
 
 #include "frontend/scan_matching/joined_points.h"
 #include "frontend/scan_matching/seen_through.h"
@@ -32,6 +34,9 @@ std::vector<Eigen::Vector2d> SurfaceOf(const map::OccupancyGrid& map) {
 // Of a pose before the views are aligned with the map.
 constexpr double kSigma_m = 0.2;
 constexpr double kSigma_rad = 0.1;
+
+// Of a cell of the search: an alignment that starts 0.1 m off may end at the far side of a wall.
+constexpr int kFinerSteps = 2;
 
 }  // namespace
 
@@ -80,20 +85,62 @@ Eigen::Matrix3d PlaceGuesses::InformationAt(const Views& views, const SE2& map_T
 }
 
 PlaceGuess PlaceGuesses::Near(const Views& views, const SE2& map_T_robot) const {
-  const SE2 aligned = gauss_newton_
-                          .Align(*map_, views.Joined(options_.align_cell_m), map_T_robot,
-                                 backend::InformationFromSigmas(kSigma_m, kSigma_rad))
-                          .world_T_robot;
+  return Aligned(views, views.Joined(options_.align_cell_m), map_T_robot);
+}
+
+PlaceGuess PlaceGuesses::Aligned(const Views& views, const scan_matching::ScanPoints& joined,
+                                 const SE2& map_T_robot) const {
+  const SE2 aligned =
+      gauss_newton_
+          .Align(*map_, joined, map_T_robot, backend::InformationFromSigmas(kSigma_m, kSigma_rad))
+          .world_T_robot;
   return {.map_T_robot = aligned, .evidence = EvidenceAt(views, aligned)};
 }
 
+SE2 PlaceGuesses::Finer(const std::vector<Eigen::Vector2d>& points, const SE2& peak) const {
+  const double turn_rad = 0.5 * matcher_->AngularStep(points);
+  SE2 best = peak;
+  int best_score = Score(points, peak);
+  for (const double turn : {0.0, -turn_rad, turn_rad}) {
+    for (int y = -kFinerSteps; y <= kFinerSteps; ++y) {
+      for (int x = -kFinerSteps; x <= kFinerSteps; ++x) {
+        const double step_m = options_.cell_m / kFinerSteps;
+        const SE2 pose{peak.x + x * step_m, peak.y + y * step_m, peak.theta + turn};
+        const int score = Score(points, pose);
+        if (score > best_score) std::tie(best, best_score) = std::tuple(pose, score);
+      }
+    }
+  }
+  return best;
+}
+
+// Twice the points in an occupied cell and once those beside one.
+int PlaceGuesses::Score(const std::vector<Eigen::Vector2d>& points, const SE2& map_T_robot) const {
+  const double cells_per_m = 1.0 / map_->resolution_m();
+  int score = 0;
+  for (const Eigen::Vector2d& point : points) {
+    const Eigen::Vector2d cell = cells_per_m * (map_T_robot * point);
+    const int x = static_cast<int>(std::floor(cell.x())),
+              y = static_cast<int>(std::floor(cell.y()));
+    const std::uint32_t row = map_->OccupiedBits({x - 1, y});
+    if (row & 0b010u) {
+      score += 2;
+    } else if (((row | map_->OccupiedBits({x - 1, y - 1}) | map_->OccupiedBits({x - 1, y + 1})) &
+                0b111u) != 0) {
+      score += 1;
+    }
+  }
+  return score;
+}
+
 std::vector<PlaceGuess> PlaceGuesses::Find(const Views& views) const {
+  const scan_matching::ScanPoints joined = views.Joined(options_.align_cell_m);
   const std::vector<Eigen::Vector2d> points = scan_matching::Thinned(
       scan_matching::PositionsOf(views.Joined(options_.cell_m)), options_.max_points);
   std::vector<PlaceGuess> guesses;
   for (const scan_matching::ScoredPose& peak :
        matcher_->Peaks(points, middle_, {reach_m_, std::numbers::pi}, options_.max_guesses)) {
-    guesses.push_back(Near(views, peak.map_T_scan));
+    guesses.push_back(Aligned(views, joined, Finer(points, peak.map_T_scan)));
     guesses.back().score = peak.score;
   }
   std::stable_sort(guesses.begin(), guesses.end(), [](const PlaceGuess& a, const PlaceGuess& b) {

@@ -56,6 +56,12 @@ class PlaceGuesses {
   PlaceGuess Near(const Views& views, const backend::SE2& map_T_robot) const;
 
  private:
+  // `joined`: end points of the views.
+  PlaceGuess Aligned(const Views& views, const scan_matching::ScanPoints& joined,
+                     const backend::SE2& map_T_robot) const;
+  // Where the points fit best, of poses up to a cell of the search around its peak.
+  backend::SE2 Finer(const std::vector<Eigen::Vector2d>& points, const backend::SE2& peak) const;
+  int Score(const std::vector<Eigen::Vector2d>& points, const backend::SE2& map_T_robot) const;
   scan_matching::Evidence EvidenceAt(const Views& views, const backend::SE2& map_T_robot) const;
 
   Options options_;

@@ -88,8 +88,10 @@ void GlobalCloser::Search(const Call& call, int place) {
   if (ways_driven[node] < options_.min_path_length_m) return;
   const std::vector<double> ways = ShortestWays(ways_driven, call.closures, node);
   const double min_path_length_m = is_settled ? kUnknownWay_m : options_.min_path_length_m;
-  for (const PlaceMatch& match :
-       places_.Find(place, ways_driven, [&](int old) { return ways[old] >= min_path_length_m; })) {
+  const auto may_match = [&](int old) {
+    return ways[old] >= min_path_length_m && (ways[old] < kUnknownWay_m || old >= joinable_from_);
+  };
+  for (const PlaceMatch& match : places_.Find(place, ways_driven, may_match)) {
     if (IsExplained(call, node, match)) continue;
     const std::vector<SE2>& poses = call.path.world_T_nodes;
     const Candidate candidate{match.old_node, ways[match.old_node],

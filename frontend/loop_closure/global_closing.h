@@ -41,6 +41,10 @@ class GlobalCloser {
     friend bool operator==(const Options&, const Options&) = default;
   };
 
+  // From now on places that no path in the graph leads to are taken for others from this node on
+  // only.
+  void JoinPiecesFrom(int node) { joinable_from_ = node; }
+
   // What is to be believed from now on, and what no longer: positions in the records.
   struct Decisions {
     std::vector<std::size_t> accept;
@@ -91,6 +95,7 @@ class GlobalCloser {
   DriftModel drift_;
   CandidateOptions candidates_;
   PlaceSearch places_;
+  int joinable_from_ = 0;
   std::vector<bool> searched_;  // of each place
   double last_search_m_ = 0.0;
   std::vector<ClosureSet> sets_;

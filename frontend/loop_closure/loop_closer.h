@@ -48,6 +48,10 @@ class LoopCloser {
   void BeginPiece(int node) { pieces_.Begin(node); }
   const Pieces& pieces() const { return pieces_; }
 
+  // Pieces are joined by the look of places from this node on only, however alike those before it
+  // look: who knows better adds a closure. Not part of sessions.
+  void JoinPiecesFrom(int node) { global_.JoinPiecesFrom(node); }
+
   // `estimate`: world_T_node of all nodes.
   //
   // Looks for closures of the node that the path has left behind by the reach of the verifier's

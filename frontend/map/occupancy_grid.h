@@ -72,8 +72,8 @@ class OccupancyGrid {
   }
 
   // The tile that holds the cells (x, y) with x / kSize = tile_x, likewise in y, rounded down; null
-  // where no beam has been. As long as a copy of the grid lives, the same address means that nothing
-  // has changed there since it was made.
+  // where no beam has been. As long as a copy of the grid lives, the same address means that
+  // nothing has changed there since it was made.
   const Tile* FindTile(int tile_x, int tile_y) const {
     const unsigned column = static_cast<unsigned>(tile_x - first_tile_x_);
     const unsigned row = static_cast<unsigned>(tile_y - first_tile_y_);

@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "backend/se2.h"
@@ -88,12 +86,13 @@ class ParticleFilter {
   // this scan alone. The edge of the graph says next to nothing.
   void BeginPiece(const sensor::LaserScan& scan, const backend::SE2& guess);
 
-  // All particles go on as copies of this one.
-  void KeepOnly(int particle) { Duplicate(std::vector<int>(particles_.size(), particle)); }
+  // All particles go on as copies of this one, as many as the options say.
+  void KeepOnly(int particle) { Duplicate(std::vector<int>(options_.particles, particle)); }
 
   // Index of the particle whose whole path explains the scans best.
   int BestParticle() const;
   const std::vector<Particle>& particles() const { return particles_; }
+  const Options& options() const { return options_; }
 
   // Poses of a particle at Start and at every Update.
   std::vector<TrajectoryTree::Vertex> Path(int particle) const;
@@ -121,10 +120,6 @@ class ParticleFilter {
   void serialize(Archive& archive) {
     std::size_t count = particles_.size();
     archive(count);
-    if (count != 0 && count != static_cast<std::size_t>(options_.particles)) {
-      throw std::runtime_error("expected " + std::to_string(options_.particles) +
-                               " particles, found " + std::to_string(count));
-    }
     archive.Resize(
         count,
         Particle{.world_T_robot = {}, .map = map::OccupancyGrid(options_.grid), .motion = {}},

@@ -20,6 +20,10 @@ std::string SaveState(const frontend::ImprovedGmapping& gmapping);
 // one line when the state does not fit: `gmapping` is of no use then.
 void LoadState(std::string_view state, frontend::ImprovedGmapping* gmapping);
 
+// The same for what only its map or its scans are wanted of: the run may have had another number of
+// particles. `gmapping` takes scans once its BeginSession was called.
+void LoadKnown(std::string_view state, frontend::ImprovedGmapping* gmapping);
+
 }  // namespace gmapping_spa::session
 
 #endif  // GMAPPING_SPA_FRONTEND_SESSION_STATE_H_

@@ -21,8 +21,9 @@ using backend::SE2;
 
 class ImprovedGmappingSession : public testing::Test {
  protected:
-  void SetUp() override {
-    ImprovedGmapping::Options options;
+  void SetUp() override { Make({}); }
+
+  void Make(ImprovedGmapping::Options options) {
     options.filter.particles = 2;
     options.filter.edges.measurement = particle_filter::EdgeModel::Measurement::kControl;
     gmapping_ = std::make_unique<ImprovedGmapping>(
@@ -147,6 +148,41 @@ TEST_F(ImprovedGmappingSession, AThirdDayGoesOnInTheMapOfTwo) {
   const SlamResult result = gmapping_->Finish();
   EXPECT_EQ(Count("piece_not_joined"), 0);
   EXPECT_LT(LargestError(result, 0), 0.15);
+}
+
+TEST_F(ImprovedGmappingSession, FoundAtTheLastScanItIsToldWhereWithoutFinalOptimizationToo) {
+  ImprovedGmapping::Options options;
+  options.make_final_optimization = false;
+  Make(options);
+  Drive(0, 46);
+  const std::size_t old_scans = truth_.size();
+  gmapping_->BeginSession(MapSession::Use::kLocalize);
+  const std::vector<sensor::LaserScan> scans = synthetic::Driven(synthetic::Hall(), 20, 24);
+  for (sensor::LaserScan scan : scans) {
+    truth_.push_back(scan.odom_T_robot);
+    scan.odom_T_robot = Between(scans.front().odom_T_robot, scan.odom_T_robot);
+    gmapping_->AddScan(scan);
+    if (!gmapping_->session()->searches()) break;
+  }
+  const SlamResult result = gmapping_->Finish();
+  ASSERT_EQ(gmapping_->session()->found().size(), 1u);
+  EXPECT_TRUE(result.is_placed.back());
+  EXPECT_LT(LargestError(result, old_scans), 0.15);
+}
+
+TEST_F(ImprovedGmappingSession, WhatWasDrivenBeforeItWasFoundIsInTheOldMapWithAnyCorrection) {
+  ImprovedGmapping::Options options;
+  options.make_final_optimization = false;
+  options.correction = ImprovedGmapping::Correction::kPose;
+  Make(options);
+  Drive(0, 46);
+  const std::size_t old_scans = truth_.size();
+  gmapping_->BeginSession(MapSession::Use::kLocalize);
+  Drive(70, 85);
+  const SlamResult result = gmapping_->Finish();
+  ASSERT_EQ(gmapping_->session()->found().size(), 1u);
+  EXPECT_EQ(Count("piece_not_joined"), 0);
+  EXPECT_LT(LargestError(result, old_scans), 0.15);
 }
 
 }  // namespace

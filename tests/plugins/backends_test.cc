@@ -10,7 +10,6 @@
 #include <numbers>
 #include <optional>
 #include <stdexcept>
-#include <string>
 
 #include "backend/cost/graph_cost.h"
 #include "backend/graph/g2o_io.h"
@@ -194,44 +193,6 @@ TEST_P(EveryBackend, TellsTheSameCovariancesOrNone) {
     graph.edges.push_back({3, 99, {1, 0, 0}, Information(0)});
     EXPECT_THAT(MessageOf([&] { Covariances(graph, pairs, optimizer.get()); }),
                 ::testing::HasSubstr("the covariances do not exist"));
-  }
-}
-
-TEST_P(EveryBackend, GoesOnInAnotherObjectToTheSameBits) {
-  for (unsigned seed = 0; seed < 5; ++seed) {
-    const std::unique_ptr<Optimizer> first = LoadOptimizer(GetParam()),
-                                     second = LoadOptimizer(GetParam());
-    PoseGraph graph = RandomGraph(seed);
-    // Node by node, so that the ordering is one that has grown.
-    for (std::int64_t id = 100; id < 110; ++id) {
-      const std::int64_t last = graph.nodes.back().id;
-      graph.nodes.push_back({id, 0.0, graph.nodes.back().world_T_node * SE2{1, 0, 0.1}});
-      graph.edges.push_back({last, id, {1, 0, 0.11}, Information(0)});
-      first->Optimize({}, graph.edges, graph.nodes);
-    }
-    const std::optional<std::string> state = first->State();
-    ASSERT_TRUE(state);
-    second->SetState(*state);
-    EXPECT_EQ(second->State(), state);
-    graph.nodes.push_back({200, 0.0, graph.nodes.back().world_T_node * SE2{1, 0, 0.1}});
-    graph.edges.push_back({109, 200, {1, 0, 0.11}, Information(0)});
-    PoseGraph other = graph;
-    first->Optimize({}, graph.edges, graph.nodes);
-    second->Optimize({}, other.edges, other.nodes);
-    EXPECT_EQ(PosesOf(other), PosesOf(graph)) << seed;
-    EXPECT_EQ(second->State(), first->State());
-  }
-}
-
-TEST_P(EveryBackend, RefusesWhatIsNoState) {
-  const std::unique_ptr<Optimizer> optimizer = LoadOptimizer(GetParam());
-  PoseGraph graph = RandomGraph(1);
-  optimizer->Optimize({}, graph.edges, graph.nodes);
-  const std::string state = optimizer->State().value();
-  for (const std::string& nonsense : {state + "x", std::string("none"), state + state}) {
-    if (nonsense == state) continue;  // where nothing is kept, nothing twice is the same
-    EXPECT_EQ(MessageOf([&] { LoadOptimizer(GetParam())->SetState(nonsense); }),
-              "this is no state of the back end");
   }
 }
 

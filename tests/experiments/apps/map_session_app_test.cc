@@ -77,6 +77,16 @@ TEST_F(MapSessionTour, SessionsOfTwoLogsAreMergedByReadingOneAsALog) {
   EXPECT_LT(ErrorOfBothM(out_), 0.08);
 }
 
+TEST_F(MapSessionTour, OtherFlagsThanThoseOfTheMapMayBeUsed) {
+  for (const std::string flag : {"--particles=2", "--correction=pose"}) {
+    RunSecond(out_, {"--localize", flag, "--nofinal_optimization"});
+    EXPECT_LT(ErrorOfBothM(out_), 0.1) << flag;
+  }
+  // Nothing but where it was found says where the piece lies, and which way it points.
+  RunSecond(out_, {"--localize", "--backend=none", "--nofinal_optimization"});
+  EXPECT_LT(ErrorOfBothM(out_), 0.5);
+}
+
 TEST_F(MapSessionTour, ARunInAMapIsGoneOnWithToTheSameBytes) {
   RunSecond(folder_.Path("whole"));
   const std::string log = Contents(second_log_);
@@ -98,7 +108,8 @@ TEST_F(MapSessionTour, WhatMakesNoSenseIsRefusedInOneLine) {
   EXPECT_EQ(error_of({"--localize"}),
             "gmapping_spa: error: --localize needs --map_session=FILE: the map to localize in\n");
   EXPECT_THAT(error_of({"--map_session=" + session_, "--resolution_m=0.1"}),
-              HasSubstr("expected the flags of its run, --resolution_m=0"));
+              HasSubstr("--resolution_m=0.05, found --resolution_m=0.1\n"));
+  EXPECT_THAT(error_of({"--save_session=" + folder_.Path("a")}), HasSubstr("a regular file"));
   EXPECT_THAT(error_of({"--map_session=" + first_log_}),
               StartsWith("gmapping_spa: error: " + first_log_ + ": expected "));
   const std::string both = folder_.Path("both.session");

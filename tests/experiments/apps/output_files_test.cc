@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -103,6 +104,14 @@ TEST_F(OutputFilesTest, AFullDeviceIsAnErrorAndLeavesNothing) {
   EXPECT_FALSE(fs::exists(Path("new")));
 }
 
+TEST_F(OutputFilesTest, WhatIsNoFileIsNotReplaced) {
+  ASSERT_EQ(mkfifo(Path("pipe").c_str(), 0600), 0);
+  OutputFiles files(Path("."));
+  EXPECT_THAT(MessageOf([&] { files.Write("pipe", Text("1")); }),
+              HasSubstr("expected a regular file or none"));
+  EXPECT_TRUE(fs::is_fifo(Path("pipe")));
+}
+
 TEST_F(OutputFilesTest, AWriterThatThrowsLeavesNothing) {
   {
     OutputFiles files(Path("new"));
@@ -114,10 +123,10 @@ TEST_F(OutputFilesTest, AWriterThatThrowsLeavesNothing) {
 
 TEST_F(OutputFilesTest, CommitReplacesAllOrNone) {
   std::ofstream(Path("a.txt")) << "old";
-  fs::create_directories(Path("b.txt/in_the_way"));
   OutputFiles files(Path(""));
   files.Write("a.txt", Text("new"));
   files.Write("b.txt", Text("new"));
+  fs::create_directories(Path("b.txt/in_the_way"));
   EXPECT_THROW(files.Commit(), std::runtime_error);
   EXPECT_EQ(Contents(Path("a.txt")), "old");
 }

@@ -3,6 +3,7 @@
 import os
 import pathlib
 import unittest
+import xml.etree.ElementTree as xml
 
 from described_programs import EXECUTABLES  # also where the modules are
 import flag_values
@@ -26,11 +27,16 @@ class FlagValuesTest(unittest.TestCase):
     def test_a_word_that_no_list_has_is_the_only_choice(self):
         self.assertEqual(flag_values.choices("Time in s; 0: at once; auto: learned.", "auto"), ["auto"])
 
+    def test_words_in_quotes_stand_for_a_folder_too(self):
+        flag = xml.fromstring("<flag><type>string</type><meaning>Folder of a run. Alone, or 'live': this run."
+                              "</meaning><default/></flag>")
+        self.assertEqual(flag_values.values_of(flag), [flag_values.FOLDERS, "live"])
+
     def test_text_and_what_is_empty_by_default_has_no_choices(self):
         self.assertEqual(flag_values.choices("Pose x,y,theta. Empty: none.", ""), [])
         self.assertEqual(flag_values.choices("Pose x,y,theta: 0.2,0,180 looks back.", "0,0,0"), [])
 
-    @unittest.skipUnless("GMAPPING_SPA_BINARIES" in os.environ, "no executables")
+    @unittest.skipUnless(EXECUTABLES, "no executables")
     def test_the_help_texts_of_flags_that_take_words_list_them(self):
         unlisted = set()
         for name in EXECUTABLES:

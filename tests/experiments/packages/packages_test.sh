@@ -25,6 +25,7 @@ fi
 
 packages=${GMAPPING_SPA_PACKAGES:-$work/packages}
 [[ -n ${GMAPPING_SPA_PACKAGES:-} ]] || "$source/experiments/packages/build_packages.sh" "$packages"
+command -v lintian >/dev/null && lintian --fail-on error,warning "$packages"/*.deb
 
 root=$work/root
 mkdir "$root"

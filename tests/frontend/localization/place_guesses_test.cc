@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -36,6 +37,50 @@ TEST(PlaceGuesses, TheBestOneIsWhereTheRobotIsWhateverItsHeading) {
     for (std::size_t k = 1; k < found.size(); ++k) {
       EXPECT_LE(found[k].Support(), found[k - 1].Support());
     }
+  }
+}
+
+// Two rooms with a thin wall between them, and where else the same stands.
+void AddRooms(const SE2& world_T_rooms, synthetic::Walls* walls) {
+  const auto add = [&](std::vector<Eigen::Vector2d> corners) {
+    for (Eigen::Vector2d& corner : corners) corner = world_T_rooms * corner;
+    synthetic::AddPolygon(corners, 0.0, walls);
+  };
+  add({{-5, -3}, {5, -3}, {5, 2}, {3.5, 2}, {3.5, 3}, {-5, 3}});
+  add({{-1, -2.5}, {-0.85, -2.5}, {-0.85, 0.8}, {-1, 0.8}});
+}
+
+// Wherever the cells of the search lie: an alignment may end at the wrong side of the wall.
+TEST(PlaceGuesses, ATwinIsAsGoodAsThePlaceItself) {
+  const SE2 twin{30.07, 0.11, 3.1415};
+  synthetic::Walls walls;
+  AddRooms({}, &walls);
+  AddRooms(twin, &walls);
+  const synthetic::Laser laser{.beams = 360, .field_of_view_rad = 6.2, .usable_range_m = 9.0};
+  map::OccupancyGrid map({});
+  for (double x = -4.0; x <= 4.0; x += 0.25) {
+    for (const double y : {-2.0, 1.5}) {
+      if (y < 0 && std::abs(x + 1) < 0.5) continue;
+      for (const SE2& pose : {SE2{x, y, 0}, twin * SE2{x, y, 0}}) {
+        map::InsertScan(synthetic::Scan(walls, pose, laser), pose, {}, &map);
+      }
+    }
+  }
+  const PlaceGuesses guesses({}, &map);
+  for (double off_m = 0.0; off_m < 0.4; off_m += 0.03) {
+    std::vector<sensor::LaserScan> scans;
+    for (double x = -3.0; x < 2.0; x += 0.4) {
+      const SE2 pose{x + off_m, 1.2 + 0.7 * off_m, 0};
+      scans.push_back(synthetic::Scan(walls, pose, laser));
+      scans.back().odom_T_robot = pose;
+    }
+    double here = -1.0, there = -1.0;
+    for (const PlaceGuess& guess : guesses.Find(ViewsOf(scans))) {
+      double& best = guess.map_T_robot.x < 15.0 ? here : there;
+      best = std::max(best, guess.Support());
+    }
+    EXPECT_GT(here, 0.7) << off_m;
+    EXPECT_NEAR(here, there, 0.1) << off_m;
   }
 }
 

@@ -55,6 +55,12 @@ TEST_F(CarriedRobot, IsFoundByTheLookOfPlaces) {
   }
 }
 
+TEST_F(CarriedRobot, IsNotFoundByTheirLookWhereOthersSearch) {
+  closer_.JoinPiecesFrom(47);
+  Drive(synthetic::Hall());
+  EXPECT_EQ(closer_.pieces().Joined(closer_.closures()), (std::vector<int>{0, 1}));
+}
+
 TEST_F(CarriedRobot, StaysLostWhereItHasNeverBeen) {
   Drive(synthetic::Corridor(0.0));
   EXPECT_EQ(closer_.pieces().Joined(closer_.closures()), (std::vector<int>{0, 1}));

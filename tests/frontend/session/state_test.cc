@@ -96,6 +96,20 @@ TEST_F(SessionState, AnotherNumberOfParticlesIsRefused) {
               HasSubstr("expected 5 particles, found 3"));
 }
 
+TEST_F(SessionState, TheMapOfARunWithAnotherNumberOfParticlesIsGoneOnIn) {
+  const auto saved = MakeGmapping(QuickOptions());
+  saved->AddScan(scans_[0]);
+  SlamOptions options = QuickOptions();
+  options.particles = 5;
+  const auto other = MakeGmapping(options);
+  LoadKnown(SaveState(*saved), other.get());
+  other->BeginSession(frontend::MapSession::Use::kMapOn);
+  EXPECT_EQ(other->filter().particles().size(), 5u);
+  other->AddScan(scans_[0]);
+  other->AddScan(scans_[1]);
+  EXPECT_EQ(other->Finish().trajectory.size(), 3u);
+}
+
 // What has a right checksum may still be nonsense.
 TEST_F(SessionState, BytesThatAreNoStateAreRefusedOrLoadedButNeverAskForAbsurdMemory) {
   const auto saved = MakeGmapping(QuickOptions());
