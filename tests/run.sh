@@ -5,7 +5,7 @@
 #                         sanitizers: short tests with ASan and UBSan, those with threads with TSan; and
 #                         two minutes of fuzzing
 #   tests/run.sh STEP...  only these: format, tidy, docs, fuzz, packages (in a bare Debian, minutes), ros (the
-#                         node for ROS 1 under a roscore), or a preset: release, dev, asan, tsan
+#                         node for ROS 1 under a roscore), drive (in a browser, minutes), or a preset: release, dev, asan, tsan
 # Tests on real logs find them in $GMAPPING_SPA_DATA or ../shared/data, and are skipped elsewhere.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -34,6 +34,11 @@ for step in "${steps[@]}"; do
       cmake --preset release >/dev/null
       cmake --build --preset release --target gmapping_spa_ros1 gmapping_spa evaluate_map
       ctest --preset release -R '^ros1'
+      ;;
+    drive)  # a browser is driven through the building, minutes
+      cmake --preset release >/dev/null
+      cmake --build --preset release --target gmapping_spa_apps
+      GMAPPING_SPA_TEST_DRIVE=1 ctest --preset release -R '^drive_page'
       ;;
     docs)  # with release, a test builds them
       cmake --preset release >/dev/null

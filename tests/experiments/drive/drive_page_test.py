@@ -60,6 +60,7 @@ look();
 """
 
 
+@unittest.skipUnless(os.environ.get("GMAPPING_SPA_TEST_DRIVE"), "minutes: tests/run.sh drive")
 @view_fixture.NEEDS_BROWSER
 class DrivePageTest(drive_fixture.DriveTestCase):
     def begin(self, *flags):
@@ -113,7 +114,8 @@ class DrivePageTest(drive_fixture.DriveTestCase):
              f"--trajectory={offline / 'trajectory.tum'}", f"--truth={out / 'truth.yaml'}",
              f"--truth_trajectory={out / 'truth.tum'}"], check=True, capture_output=True).stdout)
         print(f"IoU on the page {online['iou']}, offline {errors['iou']}")
-        self.assertLess(abs(online["iou"] - errors["iou"]), 0.02)
+        # The page scores the map every few seconds: the last one may be of before the end.
+        self.assertLess(abs(online["iou"] - errors["iou"]), 0.03)
         self.assertGreater(online["iou"], 0.8)
         self.assertLess(online["ate_m"], 0.1)
         self.expect_silent_console()
