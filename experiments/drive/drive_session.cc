@@ -126,9 +126,10 @@ void DriveSession::SetGoal(const Eigen::Vector2d& goal) {
 bool DriveSession::Drives(const DriveWishes& wishes) {
   if (wishes.paused || server_.CountClients() == 0) return false;
   if (tour_.steps() == 0) return true;  // what it sees from the start
-  standing_s_ = wishes.holds() || follower_ || Moves(robot_.velocity())
-                    ? 0.0
-                    : standing_s_ + robot_.scan_period_s();
+  const bool is_wanted = wishes.holds() || follower_.has_value();
+  // Where the time stands still already, as after a save, rolling out waits, too.
+  const bool rolls_out = Moves(robot_.velocity()) && standing_s_ < kStandS;
+  standing_s_ = is_wanted || rolls_out ? 0.0 : standing_s_ + robot_.scan_period_s();
   return standing_s_ < kStandS;
 }
 
@@ -192,10 +193,10 @@ void DriveSession::Save() {
     if (auto result = variant->Finish(setup_.is_asked_to_stop)) results[run] = std::move(result);
   }
   if (setup_.is_asked_to_stop()) return;
+  standing_s_ = kStandS;  // maps that are finished stay until somebody drives on
   try {
     note_ = setup_.save(*this, results);
     saved_steps_ = tour_.steps();
-    standing_s_ = kStandS;  // maps that are finished stay until somebody drives on
   } catch (const std::exception& error) {
     note_ = std::string("not saved: ") + error.what();
   }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The program drive in the paper's building, and what gmapping_spa makes of what it saved."""
+import json
 import pathlib
 import subprocess
 import sys
@@ -33,6 +34,19 @@ class DriveTestCase(unittest.TestCase):
         subprocess.run([BINARIES / "gmapping_spa", f"--log={self.folder / output / 'log.clf'}",
                         f"--output_dir={results}", *flags], check=True, capture_output=True)
         return results
+
+    def measure(self, results, output="out"):
+        """IoU and ATE in m of offline results against the saved truth."""
+        truth, trajectory = self.folder / output / "truth", f"--trajectory={results / 'trajectory.tum'}"
+
+        def errors(program, *flags):
+            return json.loads(subprocess.run([BINARIES / program, trajectory, *flags], check=True,
+                                             capture_output=True).stdout)
+
+        of_map = errors("evaluate_map", f"--map={results / 'map.yaml'}", f"--truth={truth}.yaml",
+                        f"--truth_trajectory={truth}.tum")
+        of_trajectory = errors("evaluate_trajectory", f"--truth={truth}.tum")
+        return of_map["iou"], of_trajectory["ate"]["translation_m"]["rmse"]
 
     def expect_same(self, one, other):
         self.assertTrue(one.read_bytes() == other.read_bytes(), f"{one} and {other} differ")

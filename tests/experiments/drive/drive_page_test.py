@@ -5,7 +5,6 @@ folder, it leaves pictures there to look at."""
 import json
 import os
 import pathlib
-import subprocess
 import time
 import unittest
 
@@ -109,13 +108,9 @@ class DrivePageTest(drive_fixture.DriveTestCase):
         out = self.folder / "out"
         offline = self.run_offline()
         self.expect_same(offline / "trajectory.tum", out / "variant_1.tum")
-        errors = json.loads(subprocess.run(
-            [drive_fixture.BINARIES / "evaluate_map", f"--map={offline / 'map.yaml'}",
-             f"--trajectory={offline / 'trajectory.tum'}", f"--truth={out / 'truth.yaml'}",
-             f"--truth_trajectory={out / 'truth.tum'}"], check=True, capture_output=True).stdout)
-        print(f"IoU on the page {online['iou']}, offline {errors['iou']}")
-        # The page scores the map every few seconds: the last one may be of before the end.
-        self.assertLess(abs(online["iou"] - errors["iou"]), 0.03)
+        iou, ate_m = self.measure(offline)
+        self.assertLess(abs(online["iou"] - iou), 0.005, f"IoU on the page {online['iou']}, offline {iou}")
+        self.assertLess(abs(online["ate_m"] - ate_m), 0.005, f"ATE on the page {online['ate_m']} m, offline {ate_m} m")
         self.assertGreater(online["iou"], 0.8)
         self.assertLess(online["ate_m"], 0.1)
         self.expect_silent_console()

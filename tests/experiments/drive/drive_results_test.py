@@ -4,6 +4,7 @@
 is driven again gives the same bytes."""
 import json
 import signal
+import time
 import unittest
 
 import drive_fixture
@@ -62,6 +63,9 @@ class DriveResultsTest(drive_fixture.DriveTestCase):
         offline = self.run_offline("--backend=none", "--particles=7", "--correction=pose")
         self.expect_same(offline / "trajectory.tum", out / "variant_2.tum")
         record = json.loads((out / "drive.json").read_text())
+        iou, ate_m = self.measure(offline)
+        self.assertAlmostEqual(record["variants"][1]["iou"], iou, delta=1e-6)
+        self.assertAlmostEqual(record["variants"][1]["ate_m"], ate_m, delta=1e-6)
         self.assertEqual([variant["backend"] for variant in record["variants"]], ["spa", "none"])
         self.assertLess(record["variants"][0]["ate_m"], 0.2)
 
@@ -74,6 +78,26 @@ class DriveResultsTest(drive_fixture.DriveTestCase):
         self.save(self.open(again))
         for name in ("log.clf", "truth.tum", "truth.pgm", "commands.csv", "variant_1.tum"):
             self.expect_same(self.folder / "out" / name, self.folder / "again" / name)
+
+    def test_time_stands_still_after_a_save_until_somebody_drives_on(self):
+        program = self.start("--speed=20")
+        connection = self.open(program)
+        self.send(connection, "hold", forward=1, left=0)
+        self.wait_for(connection, "status", lambda status: status["path_m"] > 2)
+        self.send(connection, "hold", forward=0, left=0)
+        self.save(connection)  # while the robot rolls out
+        time.sleep(0.5)
+        later = self.open(program)
+        variants = self.wait_for(later, "variants", lambda _: True)["list"]
+        self.assertEqual([variant["state"] for variant in variants], ["finished"])
+        self.assertIsNotNone(variants[0]["iou"])
+        saved_s = len((self.folder / "out" / "commands.csv").read_text().splitlines()[1:]) / 10
+        status = self.wait_for(later, "status", lambda _: True)
+        self.assertEqual(status["state"], "waiting")
+        self.assertAlmostEqual(status["time_s"], saved_s)
+        self.send(later, "hold", forward=1, left=0)
+        self.wait_for(later, "variants", lambda message: message["list"][0]["state"] != "finished")
+        self.wait_for(later, "status", lambda status: status["time_s"] > saved_s + 1)
 
     def test_who_goes_away_lets_go_of_the_keys(self):
         program = self.start("--speed=20")
