@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/apps/drive_record.h"
 
+#include <filesystem>
 #include <optional>
 #include <ostream>
+#include <stdexcept>
+#include <system_error>
 
 #include "backend/enum_names.h"
 #include "backend/graph/trajectory_io.h"
@@ -10,6 +13,7 @@
 #include "experiments/apps/output_files.h"
 #include "experiments/apps/slam_option_names.h"
 #include "experiments/apps/version.h"
+#include "experiments/drive/drive_state.h"
 #include "experiments/simulation/carmen_writer.h"
 #include "frontend/map/map_building.h"
 #include "frontend/map/map_server_io.h"
@@ -30,6 +34,24 @@ Json RecordOf(const drive::VariantChoice& choice, const drive::VariantResult& re
           {"iou", OrNull(result.score.iou)}};
 }
 
+std::string VariantName(int run) { return "variant_" + std::to_string(run); }
+
+// Those of an earlier save with more maps, of which drive.json tells nothing any more.
+void RemoveOtherVariants(const drive::VariantResults& results, const std::string& folder) {
+  for (int run = drive::kTruthRun + 1; run <= drive::kMaxVariants; ++run) {
+    if (results.contains(run)) continue;
+    for (const char* extension : {".tum", ".pgm", ".yaml"}) {
+      const std::filesystem::path path =
+          std::filesystem::path(folder) / (VariantName(run) + extension);
+      std::error_code error;
+      std::filesystem::remove(path, error);
+      if (!error) continue;
+      throw std::runtime_error("cannot remove '" + path.string() +
+                               "' of an earlier save: " + error.message());
+    }
+  }
+}
+
 }  // namespace
 
 std::string WriteDrive(const SimulationSetup& setup, const drive::DriveSession& session,
@@ -48,7 +70,7 @@ std::string WriteDrive(const SimulationSetup& setup, const drive::DriveSession& 
   for (const auto& [run, choice] : session.variants()) {
     const auto found = results.find(run);
     if (found == results.end()) continue;
-    const std::string name = "variant_" + std::to_string(run);
+    const std::string name = VariantName(run);
     const frontend::SlamResult& estimate = found->second->result;
     const map::TrinaryMap map = map::BuildTrinaryMap(estimate.map, occupied_threshold);
     files.Write(name + ".tum",
@@ -66,6 +88,7 @@ std::string WriteDrive(const SimulationSetup& setup, const drive::DriveSession& 
                        {"variants", variants}};
   files.Write("drive.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
   files.Commit();
+  RemoveOtherVariants(results, folder);
   return std::to_string(summary.world_T_robot.size()) + " scans saved in " + folder;
 }
 

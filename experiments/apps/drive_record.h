@@ -11,8 +11,8 @@
 namespace gmapping_spa::apps {
 
 // Writes what simulate writes of the tour, commands.csv, and of each result variant_<run>.tum,
-// variant_<run>.pgm and .yaml; drive.json says which is which. Throws std::runtime_error with one
-// line. Returns one line for people.
+// variant_<run>.pgm and .yaml; drive.json says which is which. Those of an earlier save with more
+// results go. Throws std::runtime_error with one line. Returns one line for people.
 std::string WriteDrive(const SimulationSetup& setup, const drive::DriveSession& session,
                        const drive::VariantResults& results, double occupied_threshold,
                        const std::string& folder);

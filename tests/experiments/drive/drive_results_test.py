@@ -69,6 +69,24 @@ class DriveResultsTest(drive_fixture.DriveTestCase):
         self.assertEqual([variant["backend"] for variant in record["variants"]], ["spa", "none"])
         self.assertLess(record["variants"][0]["ate_m"], 0.2)
 
+    def test_save_with_fewer_maps_leaves_none_of_an_earlier_one(self):
+        program = self.start("--speed=20")
+        connection = self.open(program)
+        self.drive(connection)
+        self.send(connection, "add", backend="none", particles=1, correction="pose")
+        self.save(connection)
+        out = self.folder / "out"
+        self.assertEqual({path.name for path in out.glob("variant_2.*")},
+                         {"variant_2.tum", "variant_2.pgm", "variant_2.yaml"})
+        self.send(connection, "remove", run=2)
+        self.send(connection, "hold", forward=0, left=1)
+        self.wait_for(connection, "status", lambda status: status["velocity"][1] > 0.1)
+        self.send(connection, "hold", forward=0, left=0)
+        self.save(connection)
+        self.assertEqual(list(out.glob("variant_2.*")), [])
+        self.assertEqual(len(list(out.glob("variant_1.*"))), 3)
+        self.assertEqual(len(json.loads((out / "drive.json").read_text())["variants"]), 1)
+
     def test_tour_that_is_driven_again_gives_the_same_bytes(self):
         program = self.start("--speed=20")
         connection = self.open(program)
