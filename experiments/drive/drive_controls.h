@@ -4,6 +4,7 @@
 #define GMAPPING_SPA_EXPERIMENTS_DRIVE_DRIVE_CONTROLS_H_
 
 #include <Eigen/Core>
+#include <chrono>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -32,6 +33,11 @@ struct DriveWishes {
 
 class DriveControls {
  public:
+  using Clock = std::chrono::steady_clock;
+  // Keys that nobody says to hold for so long are let go: the page, its machine or the connection
+  // hangs. The page says it four times as often.
+  static constexpr Clock::duration kHoldPatience = std::chrono::seconds(1);
+
   explicit DriveControls(DriveWishes wishes) : wishes_(std::move(wishes)) {}
 
   template <typename Change>
@@ -40,9 +46,17 @@ class DriveControls {
     change(&wishes_);
   }
 
-  // What is to be done once is taken out.
-  DriveWishes Take() {
+  void Hold(double forward, double left, Clock::time_point now = Clock::now()) {
     const std::lock_guard lock(mutex_);
+    wishes_.forward = forward;
+    wishes_.left = left;
+    held_at_ = now;
+  }
+
+  // What is to be done once is taken out.
+  DriveWishes Take(Clock::time_point now = Clock::now()) {
+    const std::lock_guard lock(mutex_);
+    if (now - held_at_ > kHoldPatience) wishes_.forward = wishes_.left = 0.0;
     DriveWishes taken = wishes_;
     wishes_.goal.reset();
     wishes_.save = false;
@@ -54,6 +68,7 @@ class DriveControls {
  private:
   std::mutex mutex_;
   DriveWishes wishes_;
+  Clock::time_point held_at_;  // when it was said last what is held
 };
 
 }  // namespace gmapping_spa::drive

@@ -26,7 +26,7 @@ class DriveHub::Page : public view::Conversation {
   ~Page() override {
     hub_->pages_.erase(this);
     // Nobody lets go of the keys any more.
-    hub_->controls_->Update([](DriveWishes* wishes) { wishes->forward = wishes->left = 0.0; });
+    hub_->controls_->Hold(0.0, 0.0);
   }
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;

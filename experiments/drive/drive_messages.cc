@@ -148,10 +148,7 @@ void TakeWish(std::string_view data, bool is_binary, const DriveTitle& title,
   if (op == "hold") {
     const double forward = NumberOf(message, "forward", -1.0, 1.0);
     const double left = NumberOf(message, "left", -1.0, 1.0);
-    controls->Update([&](DriveWishes* wishes) {
-      wishes->forward = forward;
-      wishes->left = left;
-    });
+    controls->Hold(forward, left);
   } else if (op == "goal") {
     const Eigen::Vector2d goal(NumberOf(message, "x", -1e6, 1e6),
                                NumberOf(message, "y", -1e6, 1e6));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -25,6 +26,21 @@ TEST_F(TakeWishTest, KeysAreHeldUntilTheyAreNot) {
   EXPECT_EQ(Take(R"({"op": "hold", "forward": 1, "left": -1})").left, -1.0);
   EXPECT_EQ(controls_.Take().forward, 1.0);
   EXPECT_FALSE(Take(R"({"op": "hold", "forward": 0, "left": 0})").holds());
+}
+
+TEST_F(TakeWishTest, KeysOfAPageThatSaysNothingAreLetGoAfterASecond) {
+  const auto now = DriveControls::Clock::now();
+  const auto in = [&](int ms) { return now + std::chrono::milliseconds(ms); };
+  controls_.Hold(1.0, -1.0, now);
+  EXPECT_TRUE(controls_.Take(in(900)).holds());
+  controls_.Hold(1.0, -1.0, in(950));  // as it says again and again
+  EXPECT_EQ(controls_.Take(in(1900)).forward, 1.0);
+  const DriveWishes silent = controls_.Take(in(2000));
+  EXPECT_EQ(silent.forward, 0.0);
+  EXPECT_EQ(silent.left, 0.0);
+  EXPECT_FALSE(controls_.Take(in(950)).holds());  // and stay so
+  controls_.Hold(1.0, 0.0, in(2500));
+  EXPECT_TRUE(controls_.Take(in(2600)).holds());
 }
 
 TEST_F(TakeWishTest, GoalsSavesAndMapsCountOnce) {

@@ -134,6 +134,28 @@ class DrivePageTest(drive_fixture.DriveTestCase):
         self.browser.hold("", "s")
         self.expect_silent_console()
 
+    def test_keys_drive_while_they_are_held_but_not_while_the_page_hangs(self):
+        self.begin()
+        self.browser.hold("a")
+        self.browser.wait_for(f"{STATUS}.velocity[1] > 0")
+        time.sleep(2)
+        self.assertGreater(self.browser.run(f"return {STATUS}.velocity[1]"), 0)
+        # The program goes on telling, which the page looks at when it hangs no more.
+        self.browser.run(f"""
+            const {{connection}} = {APP}, take = connection.on_message;
+            globalThis.stood = false;
+            connection.on_message = (message) => {{
+              take(message);
+              globalThis.stood ||= {STATUS}.velocity[1] === 0;
+            }};
+            const end = performance.now() + 3000;
+            while (performance.now() < end) ;""")
+        self.browser.wait_for("stood")
+        self.browser.wait_for(f"{STATUS}.velocity[1] > 0")
+        self.browser.hold("", "a")
+        self.browser.wait_for(f"{STATUS}.velocity[1] === 0")
+        self.expect_silent_console()
+
     def test_maps_are_added_and_removed_by_keys_alone(self):
         self.begin("--speed=5")
         self.go(13, 8.2)

@@ -11,6 +11,7 @@ import drive_fixture
 import web_socket
 
 DRIVE = "gmapping_spa.drive.v1"
+FORWARD, LEFT = {"forward": 1, "left": 0}, {"forward": 0, "left": 1}
 
 
 class DriveResultsTest(drive_fixture.DriveTestCase):
@@ -23,9 +24,13 @@ class DriveResultsTest(drive_fixture.DriveTestCase):
     def send(self, connection, op, **values):
         web_socket.send(connection, json.dumps({"op": op, **values}).encode())
 
-    def wait_for(self, connection, op, is_so):
-        """The first message of this kind that is so."""
+    def wait_for(self, connection, op, is_so, hold=None):
+        """The first message of this kind that is so; says meanwhile what is held, as a page does."""
+        held_at = None
         while True:
+            if hold and (held_at is None or time.monotonic() - held_at > 0.25):
+                held_at = time.monotonic()
+                self.send(connection, "hold", **hold)
             opcode, data = web_socket.receive(connection)
             if opcode == web_socket.PING:
                 web_socket.send(connection, data, web_socket.PONG)
@@ -38,10 +43,8 @@ class DriveResultsTest(drive_fixture.DriveTestCase):
     def drive(self, connection):
         """A few meters, with a turn."""
         self.send(connection, "odometry", noise=3, slips=0.5)
-        self.send(connection, "hold", forward=1, left=0)
-        self.wait_for(connection, "status", lambda status: status["path_m"] > 5)
-        self.send(connection, "hold", forward=0, left=1)
-        self.wait_for(connection, "status", lambda status: status["pose"][2] > 0.5)
+        self.wait_for(connection, "status", lambda status: status["path_m"] > 5, FORWARD)
+        self.wait_for(connection, "status", lambda status: status["pose"][2] > 0.5, LEFT)
         self.send(connection, "hold", forward=0, left=0)
         self.wait_for(connection, "status", lambda status: status["state"] == "waiting")
 
@@ -79,8 +82,7 @@ class DriveResultsTest(drive_fixture.DriveTestCase):
         self.assertEqual({path.name for path in out.glob("variant_2.*")},
                          {"variant_2.tum", "variant_2.pgm", "variant_2.yaml"})
         self.send(connection, "remove", run=2)
-        self.send(connection, "hold", forward=0, left=1)
-        self.wait_for(connection, "status", lambda status: status["velocity"][1] > 0.1)
+        self.wait_for(connection, "status", lambda status: status["velocity"][1] > 0.1, LEFT)
         self.send(connection, "hold", forward=0, left=0)
         self.save(connection)
         self.assertEqual(list(out.glob("variant_2.*")), [])
@@ -100,8 +102,7 @@ class DriveResultsTest(drive_fixture.DriveTestCase):
     def test_time_stands_still_after_a_save_until_somebody_drives_on(self):
         program = self.start("--speed=20")
         connection = self.open(program)
-        self.send(connection, "hold", forward=1, left=0)
-        self.wait_for(connection, "status", lambda status: status["path_m"] > 2)
+        self.wait_for(connection, "status", lambda status: status["path_m"] > 2, FORWARD)
         self.send(connection, "hold", forward=0, left=0)
         self.save(connection)  # while the robot rolls out
         time.sleep(0.5)
@@ -113,15 +114,20 @@ class DriveResultsTest(drive_fixture.DriveTestCase):
         status = self.wait_for(later, "status", lambda _: True)
         self.assertEqual(status["state"], "waiting")
         self.assertAlmostEqual(status["time_s"], saved_s)
-        self.send(later, "hold", forward=1, left=0)
-        self.wait_for(later, "variants", lambda message: message["list"][0]["state"] != "finished")
-        self.wait_for(later, "status", lambda status: status["time_s"] > saved_s + 1)
+        self.wait_for(later, "variants", lambda message: message["list"][0]["state"] != "finished", FORWARD)
+        self.wait_for(later, "status", lambda status: status["time_s"] > saved_s + 1, FORWARD)
+
+    def test_who_says_nothing_for_a_second_lets_go_of_the_keys(self):
+        program = self.start()
+        connection = self.open(program)
+        self.send(connection, "hold", forward=0, left=1)
+        self.wait_for(connection, "status", lambda status: status["velocity"][1] > 0)
+        self.wait_for(connection, "status", lambda status: status["velocity"][1] == 0)
 
     def test_who_goes_away_lets_go_of_the_keys(self):
         program = self.start("--speed=20")
         connection = self.open(program)
-        self.send(connection, "hold", forward=1, left=0)
-        self.wait_for(connection, "status", lambda status: status["path_m"] > 1)
+        self.wait_for(connection, "status", lambda status: status["path_m"] > 1, FORWARD)
         connection.close()
         self.wait_for(self.open(program), "status", lambda status: status["state"] == "waiting")
 
