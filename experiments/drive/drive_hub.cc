@@ -81,6 +81,7 @@ view::Messages DriveHub::All() const {
   for (const auto& [run, state] : runs_) {
     for (view::MessagePtr& message : state.All()) messages.push_back(std::move(message));
   }
+  for (const auto& [run, variant] : variants_) messages.push_back(ScoresMessage(run, variant));
   messages.push_back(VariantsMessage(variants_));
   if (status_) messages.push_back(status_);
   return messages;
@@ -98,7 +99,7 @@ void DriveHub::SetStatus(const DriveStatus& status) {
 }
 
 void DriveHub::AddVariant(int run, const VariantChoice& choice) {
-  variants_[run] = {choice, "replaying", {}};
+  variants_[run] = {.choice = choice};
   const view::RunTitle title = {.name = NameOf(choice), .resolution_m = title_.map_resolution_m};
   runs_.erase(run);
   runs_.try_emplace(run, run, title);
@@ -123,6 +124,8 @@ void DriveHub::SetScore(int run, const MapScore& score) {
   const auto variant = variants_.find(run);
   if (variant == variants_.end()) return;
   variant->second.score = score;
+  // Before it has moved there is nothing to draw.
+  if (score.ate_m || score.iou) variant->second.scores.Add(score);
   Tell({VariantsMessage(variants_)});
 }
 

@@ -141,6 +141,14 @@ view::MessagePtr VariantsMessage(const VariantStatuses& variants) {
   return Dumped({{"op", "variants"}, {"list", std::move(list)}});
 }
 
+view::MessagePtr ScoresMessage(int run, const VariantStatus& variant) {
+  json rows = json::array();
+  for (const MapScore& score : variant.scores.rows()) {
+    rows.push_back({Seconds(score.stamp_s), OrNull(score.ate_m, 1e4), OrNull(score.iou, 1e4)});
+  }
+  return Dumped({{"op", "scores"}, {"run", run}, {"rows", std::move(rows)}});
+}
+
 void TakeWish(std::string_view data, bool is_binary, const DriveTitle& title,
               DriveControls* controls) {
   const json message = view::ParseClientMessage(data, is_binary);

@@ -17,6 +17,8 @@ view::MessagePtr HelloMessage(const std::string& session, const DriveTitle& titl
                               const VariantStatuses& variants);
 view::MessagePtr StatusMessage(const DriveStatus& status);
 view::MessagePtr VariantsMessage(const VariantStatuses& variants);
+// Stamp, ATE and IoU of a variant so far.
+view::MessagePtr ScoresMessage(int run, const VariantStatus& variant);
 
 std::string NameOf(const VariantChoice& choice);
 

@@ -13,6 +13,7 @@
 #include "experiments/drive/slam_variant.h"
 #include "experiments/simulation/shapes.h"
 #include "experiments/simulation/way_point_follower.h"
+#include "experiments/view/thinned_rows.h"
 
 namespace gmapping_spa::drive {
 
@@ -20,6 +21,7 @@ namespace gmapping_spa::drive {
 inline constexpr int kTruthRun = 0;
 inline constexpr int kMaxVariants = 4;
 inline constexpr int kMaxParticles = 200;
+inline constexpr int kMaxScores = 1024;  // that are kept of a variant
 
 // What does not change.
 struct DriveTitle {
@@ -49,7 +51,8 @@ struct DriveStatus {
 struct VariantStatus {
   VariantChoice choice;
   std::string state = "replaying";
-  MapScore score;
+  MapScore score = {};                             // the latest
+  view::ThinnedRows<MapScore> scores{kMaxScores};  // so far
 };
 
 using VariantStatuses = std::map<int, VariantStatus>;  // by their runs

@@ -7,6 +7,7 @@ import {DrivePane} from "./drive_pane.js";
 import {HeldKeys} from "./held_keys.js";
 import {listKeys, watchKeys} from "./keyboard.js";
 import {Run} from "./run.js";
+import {LINE_COLORS, ScoreCharts} from "./score_charts.js";
 import {meters, part, VariantPanel} from "./variant_panel.js";
 
 const ZOOM = 1.25;
@@ -31,7 +32,7 @@ class App {
   variants = [];
   status = null;
   camera = new Camera();
-  colors = readColors();
+  colors = readColors(LINE_COLORS);
   layers = {map: true, scan: true, particles: true, path: true, nodes: false, accepted: true, refused: false};
   time_s = null;  // the latest, always
   selection = {run: null, position: null};
@@ -43,10 +44,11 @@ class App {
   constructor() {
     this.panel = new VariantPanel(element("variants"), (choice) => this.connection.send("add", choice),
                                   (run) => this.connection.send("remove", {run}));
+    this.charts = new ScoreCharts(element("charts"), element("chart_lines"));
     this.held = new HeldKeys((wish) => this.connection.send("hold", wish));
     this.#watch_controls();
     onThemeChange(() => {
-      this.colors = readColors();
+      this.colors = readColors(LINE_COLORS);
       for (const pane of this.panes) pane.theme_changed();
       this.redraw();
     });
@@ -89,6 +91,9 @@ class App {
       this.#take_sliders();
     } else if (message.op === "variants") {
       this.variants = message.list;
+      for (const variant of this.variants) this.charts.add(variant);
+    } else if (message.op === "scores") {
+      this.charts.reset(message.run, message.rows);
     } else {
       this.runs.get(message.run)?.take(message);
     }
@@ -106,6 +111,7 @@ class App {
     element("panes").dataset.count = this.panes.length;
     element("panes").replaceChildren(...this.panes.map((pane) => pane.element));
     this.panel.begin(hello);
+    this.charts.begin();
     document.title = `${hello.world} – drive`;
   }
 
@@ -131,6 +137,7 @@ class App {
           ? "" : `ATE ${meters(variant.ate_m)} · IoU ${part(variant.iou)}`;
     }
     this.panel.draw(this.variants, this.runs);
+    this.charts.draw(this.variants, this.colors);
   }
 
   #tell_status() {

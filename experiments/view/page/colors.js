@@ -24,10 +24,11 @@ function pixelWords(free, occupied) {
   return words;  // those of unknown cells are transparent
 }
 
-export function readColors() {
+// `more`: names of colors besides those of every page.
+export function readColors(more = []) {
   const style = getComputedStyle(document.documentElement);
   const colors = {};
-  for (const name of NAMES) colors[name] = style.getPropertyValue(`--${name}`).trim();
+  for (const name of [...NAMES, ...more]) colors[name] = style.getPropertyValue(`--${name}`).trim();
   colors.pixels = pixelWords(rgb(colors.free), rgb(colors.occupied));
   return colors;
 }

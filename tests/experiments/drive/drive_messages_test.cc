@@ -77,5 +77,14 @@ TEST(DriveMessages, ScoresThatAreNotKnownAreNull) {
   EXPECT_TRUE(json["list"][0]["iou"].is_null());
 }
 
+TEST(DriveMessages, ScoresSoFarAreRowsForTheChart) {
+  VariantStatus variant;
+  variant.scores.Add({1.0, 0.01, {}});
+  variant.scores.Add({2.5, 0.02, 0.9});
+  const auto json = nlohmann::json::parse(ScoresMessage(3, variant)->data);
+  EXPECT_EQ(json["run"], 3);
+  EXPECT_EQ(json["rows"], nlohmann::json::parse("[[1.0, 0.01, null], [2.5, 0.02, 0.9]]"));
+}
+
 }  // namespace
 }  // namespace gmapping_spa::drive

@@ -167,6 +167,11 @@ class DrivePageTest(drive_fixture.DriveTestCase):
         self.browser.wait_for(f"{APP}.runs.size === 3 && {APP}.runs.get(2).frame")
         self.assertIn("none, 30 particles", self.text("#variants"))
         self.browser.wait_for(f"{APP}.variants.every(({{iou}}) => iou !== null)")
+        self.browser.wait_for(f"[1, 2].every((run) => {APP}.charts.rows.get(run)?.length > 0)")
+        self.assertEqual(self.text("#chart_lines"),
+                         "blue: spa, 5 particles, trajectoryorange: none, 30 particles, trajectory")
+        self.assertRegex(self.browser.run("return document.querySelector('#charts canvas').ariaLabel"),
+                         r"^ATE in m: blue [0-9.]+, orange [0-9.]+$")
         self.picture("two_maps")
         self.browser.press(ESCAPE)
         self.assertEqual(self.browser.run("return document.activeElement.tagName"), "BODY")
@@ -187,11 +192,14 @@ class DrivePageTest(drive_fixture.DriveTestCase):
         self.begin("--speed=5")
         self.go(13, 8.2)
         self.browser.wait_for(f"{STATUS}.state === 'waiting'")
-        before = self.browser.run(f"return [{STATUS}.pose, {APP}.runs.get(1).tiles.latest.size]")
+        what = f"return [{STATUS}.pose, {APP}.runs.get(1).tiles.latest.size, {APP}.charts.rows.get(1)]"
+        time.sleep(0.5)
+        before = self.browser.run(what)
+        self.assertGreater(len(before[2]), 0)
         self.browser.call("/refresh", {})
         self.browser.wait_for(f"{STATUS} && {APP}.runs.get(1)?.frame")
         time.sleep(0.5)
-        after = self.browser.run(f"return [{STATUS}.pose, {APP}.runs.get(1).tiles.latest.size]")
+        after = self.browser.run(what)
         self.assertEqual(after, before)
         self.expect_silent_console()
         self.program.end()
