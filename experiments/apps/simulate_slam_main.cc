@@ -13,9 +13,11 @@
 #include "experiments/apps/simulation_flags.h"
 #include "experiments/apps/slam_flags.h"
 #include "experiments/apps/slam_run.h"
+#include "experiments/apps/view_flags.h"
 #include "experiments/simulation/scan_player.h"
 
 DEFINE_string(output_dir, "", "Folder for the results of SLAM and the truth; made if needed.");
+DECLARE_string(world);
 DECLARE_uint64(seed);
 
 namespace gmapping_spa::apps {
@@ -31,10 +33,13 @@ Json Identify(const std::map<std::string, std::string>& input_files) {
 }
 
 void Run() {
+  if (ViewsFinishedRuns()) return ViewFinishedRuns();
   if (FLAGS_output_dir.empty()) throw std::runtime_error("--output_dir=DIR is missing");
   const SimulationSetup setup = SimulationFromFlags(FLAGS_seed);
   SlamRun slam;
   OutputFiles files(FLAGS_output_dir);
+  const auto live_view = LiveViewFromFlags(FLAGS_world, slam.gmapping().resolution_m());
+  slam.SetObserver(live_view.get());
   simulation::ScanPlayer player([&](const sensor::LaserScan& scan) {
     ThrowIfInterrupted();
     slam.AddScan(scan);
@@ -45,23 +50,27 @@ void Run() {
   slam.Finish([&] { return Identify(setup.input_files); }, {}, &files);
   files.Commit();
   std::cout << slam.counts().scans << " scans over " << summary.path_length_m << " m, "
-            << slam.counts().updates << " updates; results in " << FLAGS_output_dir << '\n';
+            << slam.counts().updates << " updates; results in " << FLAGS_output_dir << std::endl;
+  if (live_view) EndLiveView(live_view.get());
 }
 
 FlagGroups AllFlagGroups() {
   const FlagGroups output = {{"output", "Output", {"output_dir"}}};
-  return Join({output, SimulationFlagGroups(), SlamFlagGroups()});
+  return Join({output, ViewFlagGroups(), SimulationFlagGroups(), SlamFlagGroups()});
 }
 
 }  // namespace
 }  // namespace gmapping_spa::apps
 
 int main(int argc, char** argv) {
+  gmapping_spa::apps::CompleteViewFlag(argc, argv);
   return gmapping_spa::apps::RunApp(
       argc, argv,
       "makes a map and a trajectory of a simulated tour: what simulate and gmapping_spa do one "
       "after the other, with the same --seed.\n"
-      "Usage: simulate_slam --world=FILE --output_dir=DIR [flags of simulate and gmapping_spa]\n"
+      "Usage: simulate_slam --world=FILE --output_dir=DIR [--view] [flags of simulate and "
+      "gmapping_spa]\n"
+      "       simulate_slam --view=DIR[,DIR]\n"
       "Writes what gmapping_spa writes, and truth.tum, truth.pgm and truth.yaml, with\n"
       "--obstacles truth_obstacles.pgm and truth_obstacles.yaml.",
       gmapping_spa::apps::AllFlagGroups(), gmapping_spa::apps::Run);

@@ -36,6 +36,29 @@ class ViewResultsTest(view_fixture.ViewTestCase):
         self.assertEqual(program.wait(), 0)
         self.expect_same(plain, self.folder / "out")
 
+    def test_simulated_run_without_a_log_can_be_looked_at(self):
+        plain, world = self.folder / "plain", view_fixture.WORLDS / "paper_building.yaml"
+        flags = (f"--world={world}", f"--path={world.with_suffix('.short.path.yaml')}")
+        subprocess.run([view_fixture.BINARIES / "simulate_slam", f"--output_dir={plain}", *flags],
+                       check=True, capture_output=True)
+        program = view_fixture.Program(f"--output_dir={self.folder / 'out'}", "--view", "--view_wait",
+                                       *flags, name="simulate_slam")
+        self.addCleanup(program.end)
+        page, _ = web_socket.open_socket(program.port)
+        self.addCleanup(page.close)
+        texts = []
+        try:
+            while True:
+                opcode, data = web_socket.receive(page)
+                if opcode == web_socket.TEXT:
+                    texts.append(json.loads(data))
+        except EOFError:
+            pass
+        self.assertEqual(texts[0]["runs"][0]["name"], "paper_building.yaml")
+        self.assertEqual([text["phase"] for text in texts if text["op"] == "frame"][-1], "finished")
+        self.assertEqual(program.wait(), 0)
+        self.expect_same(plain, self.folder / "out")
+
     def test_only_changed_tiles_are_sent(self):
         program = self.start()
         page, _ = web_socket.open_socket(program.port)
