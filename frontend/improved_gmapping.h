@@ -100,6 +100,9 @@ class ImprovedGmapping {
   // say.
   void BeginSession(MapSession::Use use);
   const std::optional<MapSession>& session() const { return session_; }
+  // Whether CurrentPose is a pose in the old map of the session: from the correction of the graph
+  // on that follows when the robot was found, until it is lost. True without a session.
+  bool IsPlaced() const;
 
   // The pose graph as it is now: the best particle's path, one node per update with ids 0, 1, ...,
   // and the accepted loop closures.

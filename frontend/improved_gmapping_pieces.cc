@@ -139,6 +139,12 @@ void ImprovedGmapping::LeaveSearchToSession() {
                                                    : session_->nodes());
 }
 
+bool ImprovedGmapping::IsPlaced() const {
+  if (!session_) return true;
+  const int old_piece = loop_closer_.pieces().PieceOf(session_->known().nodes.front());
+  return !session_->searches() && is_drawn_[old_piece];
+}
+
 bool ImprovedGmapping::HasTaken(std::int64_t k, const sensor::LaserScan& scan) const {
   return session_
              ? archive_.Holds(static_cast<int>(session_->scans() + k), session_->Numbered(scan))

@@ -97,9 +97,25 @@ Markers MarkersOf(const Snapshot& snapshot, const Header& header) {
   return markers;
 }
 
+// Adds to a diagnostic_msgs/DiagnosticArray whether map -> odom is known in an old map.
+template <typename Diagnostics>
+void AddOldMap(OldMap old_map, const std::string& node, Diagnostics* diagnostics) {
+  if (old_map == OldMap::kNone) return;
+  diagnostics->status.emplace_back();
+  auto& status = diagnostics->status.back();
+  using Status = std::decay_t<decltype(status)>;
+  status.name = node + ": localization";
+  const bool is_found = old_map == OldMap::kFound;
+  status.level = is_found ? Status::OK : Status::WARN;
+  status.message = is_found
+                       ? "the robot is found in the map of map_session"
+                       : "the robot is not found in the map of map_session: there is no map -> "
+                         "odom";
+}
+
 // diagnostic_msgs/DiagnosticArray: where the scans went; a warning where any was left out.
 template <typename Diagnostics>
-Diagnostics DiagnosticsOf(const ScanCounts& counts, const std::string& node) {
+Diagnostics DiagnosticsOf(const ScanCounts& counts, OldMap old_map, const std::string& node) {
   Diagnostics diagnostics;
   diagnostics.status.emplace_back();
   auto& status = diagnostics.status.back();
@@ -116,6 +132,7 @@ Diagnostics DiagnosticsOf(const ScanCounts& counts, const std::string& node) {
     status.values.back().key = name;
     status.values.back().value = std::to_string(value);
   }
+  AddOldMap(old_map, node, &diagnostics);
   return diagnostics;
 }
 

@@ -9,8 +9,6 @@
 #include "experiments/apps/session_flags.h"
 #include "experiments/apps/slam_flags.h"
 
-DECLARE_bool(localize);
-DECLARE_string(map_session);
 DECLARE_string(resume);
 
 DEFINE_string(output_dir, "",
@@ -26,16 +24,16 @@ apps::FlagGroups NodeFlagGroups() {
 }
 
 sensor::LogOptions LogOptionsOfNode() {
-  const sensor::LogOptions options = apps::LogOptionsFromFlags();
+  sensor::LogOptions options = apps::LogOptionsFromFlags();
   if (!options.scan_topic.empty() || !options.odometry_topic.empty()) {
     throw std::runtime_error(
         "--scan_topic, --odometry_topic: expected none, as a node's topics are remapped "
         "(scan:=base_scan) and odometry comes from tf");
   }
-  if (!FLAGS_resume.empty() || !FLAGS_map_session.empty() || FLAGS_localize) {
+  if (!FLAGS_resume.empty()) {
     throw std::runtime_error(
-        "--resume, --map_session, --localize: expected none, as a node begins a map of its own: "
-        "gmapping_spa takes them with a bag");
+        "--resume: expected none, as the scans of its run would have to come again: gmapping_spa "
+        "takes it with a bag. --map_session goes on in its map");
   }
   return options;
 }

@@ -39,19 +39,29 @@ void AddMap(const map::TrinaryMap& map, const SE2& map_T_world, Snapshot* snapsh
   }
 }
 
+// What lies where the robot is not known to be may lie anywhere.
 void AddGraph(const frontend::ImprovedGmapping& gmapping, const SE2& map_T_world,
               Snapshot* snapshot) {
   backend::PoseGraphRecorder recorder;
   gmapping.EmitGraph(&recorder);
+  const int nodes = gmapping.IsPlaced() ? gmapping.nodes() : gmapping.session()->nodes();
   std::map<std::int64_t, PlanarPose> pose_of;
   for (const backend::Node& node : recorder.graph().nodes) {
+    if (node.id >= nodes) continue;
     pose_of[node.id] = Planar(map_T_world * node.world_T_node);
     snapshot->map_T_nodes.push_back(pose_of[node.id]);
   }
   for (const backend::Edge& edge : recorder.graph().edges) {
     if (edge.kind != backend::EdgeKind::kLoopClosure) continue;
+    if (edge.i >= nodes || edge.j >= nodes) continue;
     snapshot->closures.emplace_back(pose_of.at(edge.i), pose_of.at(edge.j));
   }
+}
+
+const map::OccupancyGrid& MapToShow(const frontend::ImprovedGmapping& gmapping) {
+  const auto& session = gmapping.session();
+  return session && (session->is_fixed() || !gmapping.IsPlaced()) ? session->known().map
+                                                                  : gmapping.CurrentMap();
 }
 
 }  // namespace
@@ -71,10 +81,11 @@ NodeSlam::NodeSlam(double map_update_interval_s, std::optional<double> minimum_s
 
 void NodeSlam::MakeRun() {
   run_ = std::make_unique<apps::SlamRun>();
+  apps::BeginAsFlagsSay(run_.get());
   saver_ = apps::MakeSessionSaver(run_.get());
 }
 
-SE2 NodeSlam::AddScan(const sensor::LaserScan& scan) {
+std::optional<SE2> NodeSlam::AddScan(const sensor::LaserScan& scan) {
   if (minimum_score_ && run_->counts().scans == 0) {
     // A mean here, a sum there: only now it is known of how many beams.
     const double mean = *minimum_score_ / static_cast<double>(scan.beams.size());
@@ -84,6 +95,7 @@ SE2 NodeSlam::AddScan(const sensor::LaserScan& scan) {
   run_->AddScan(scan);
   if (saver_ && saver_->IsDue()) saver_->WriteCheckpoint(run_->MakeSession(kLog));
   stamp_s_ = scan.stamp_s;
+  if (!run_->gmapping().IsPlaced()) return std::nullopt;
   return run_->gmapping().CurrentPose();
 }
 
@@ -95,7 +107,7 @@ std::optional<Snapshot> NodeSlam::DueSnapshot(const SE2& map_T_world) {
   const SlamOptions options = apps::SlamOptionsFromFlags();
   Snapshot snapshot;
   snapshot.stamp_s = stamp_s_;
-  AddMap(map::BuildTrinaryMap(gmapping.CurrentMap(), options.occupied_threshold), map_T_world,
+  AddMap(map::BuildTrinaryMap(MapToShow(gmapping), options.occupied_threshold), map_T_world,
          &snapshot);
   if (snapshot.cells.empty()) return std::nullopt;
   AddGraph(gmapping, map_T_world, &snapshot);

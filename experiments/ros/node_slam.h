@@ -30,11 +30,15 @@ class NodeSlam {
   // NodeOptions.
   NodeSlam(double map_update_interval_s, std::optional<double> minimum_score);
 
-  // Returns the robot's pose at the scan.
-  backend::SE2 AddScan(const sensor::LaserScan& scan);
+  // Whether it goes on in the map of another run, --map_session.
+  bool has_old_map() const { return run_->gmapping().session().has_value(); }
+
+  // Returns the robot's pose at the scan; in an old map nothing while it is not found there.
+  std::optional<backend::SE2> AddScan(const sensor::LaserScan& scan);
 
   // What is known, where map_update_interval_s has passed since the last time and the map has
-  // changed: of the first scan at once.
+  // changed: of the first scan at once. In an old map it is that one, while the robot is not found
+  // there, and with --localize always.
   std::optional<Snapshot> DueSnapshot(const backend::SE2& map_T_world);
 
   // Writes the session to the file that --save_session names. Throws std::runtime_error with one

@@ -64,6 +64,7 @@ class Core : public SlamNodeCore {
   void CountLost(std::int64_t scans) override;
   void SetStartPose(const std::string& frame, const SpatialPose& map_T_robot) override;
   std::optional<PlanarPose> map_T_odom() const override;
+  OldMap old_map() const override;
   const std::string& odom_frame() const override { return odom_frame_; }
   ScanCounts counts() const override;
   bool failed() const override;
@@ -74,6 +75,7 @@ class Core : public SlamNodeCore {
   bool Accepts(std::int64_t time_ns);
   void Work();
   void Use(const sensor::LaserScan& scan);
+  void TakePose(const std::optional<SE2>& world_T_robot, const sensor::LaserScan& scan);
   void SayFindings();
   void Stop();
 
@@ -84,6 +86,7 @@ class Core : public SlamNodeCore {
   std::unique_ptr<sensor::LogReader> reader_;  // of the thread
   std::mutex slam_mutex_;                      // taken before mutex_
   NodeSlam slam_;
+  const bool has_old_map_;
   std::map<std::string, std::int64_t> said_;  // findings
 
   mutable std::mutex mutex_;  // of what follows
@@ -93,6 +96,7 @@ class Core : public SlamNodeCore {
   std::string error_;
   SE2 map_T_world_;
   std::optional<SE2> map_T_odom_;
+  bool is_found_ = false;  // in the old map
 
   std::thread thread_;  // last, as it uses all others
 };
@@ -104,6 +108,7 @@ Core::Core(const NodeOptions& options, rosbag::Encoding encoding, NodeOutput* ou
       source_(encoding, static_cast<std::size_t>(options.queue_limit_mb * 1e6)),
       reader_(ReaderOf(std::make_unique<SharedSource>(&source_))),
       slam_(options.map_update_interval_s, options.minimum_score),
+      has_old_map_(slam_.has_old_map()),
       thread_([this] { Work(); }) {}
 
 Core::~Core() { Stop(); }
@@ -160,6 +165,11 @@ void Core::SetStartPose(const std::string& frame, const SpatialPose& map_T_robot
   const auto refuse = [&](const std::string& reason) {
     output_->Say(Severity::kWarning, "the start pose is not used: " + reason);
   };
+  if (has_old_map_) {
+    return refuse(
+        "the robot is looked for in all of the map of ~map_session, and what it sees decides where "
+        "it is");
+  }
   if (counts_.used > 0) {
     return refuse(
         "the first scan has fixed the map frame, and a SLAM does not relocate in its map");
@@ -186,6 +196,12 @@ std::optional<PlanarPose> Core::map_T_odom() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (!map_T_odom_) return std::nullopt;
   return Planar(*map_T_odom_);
+}
+
+OldMap Core::old_map() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!has_old_map_) return OldMap::kNone;
+  return is_found_ ? OldMap::kFound : OldMap::kSearched;
 }
 
 ScanCounts Core::counts() const {
@@ -215,18 +231,31 @@ void Core::Work() {
 
 void Core::Use(const sensor::LaserScan& scan) {
   const std::lock_guard<std::mutex> slam_lock(slam_mutex_);
-  const SE2 world_T_robot = slam_.AddScan(scan);
+  const std::optional<SE2> world_T_robot = slam_.AddScan(scan);
   SE2 map_T_world;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++counts_.used;
     map_T_world = map_T_world_;
-    if (scan.has_odometry) {
-      map_T_odom_ = map_T_world * world_T_robot * backend::Inverse(scan.odom_T_robot);
-    }
+    TakePose(world_T_robot, scan);
   }
   if (const std::optional<Snapshot> snapshot = slam_.DueSnapshot(map_T_world)) {
     output_->Show(*snapshot);
+  }
+}
+
+void Core::TakePose(const std::optional<SE2>& world_T_robot, const sensor::LaserScan& scan) {
+  if (has_old_map_ && is_found_ != world_T_robot.has_value()) {
+    is_found_ = !is_found_;
+    output_->Say(is_found_ ? Severity::kInfo : Severity::kWarning,
+                 is_found_ ? "the robot is found in the map of ~map_session"
+                           : "the robot is looked for anew in the map of ~map_session: until it is "
+                             "found, there is no map -> odom");
+  }
+  if (!world_T_robot) {
+    map_T_odom_.reset();
+  } else if (scan.has_odometry) {
+    map_T_odom_ = map_T_world_ * *world_T_robot * backend::Inverse(scan.odom_T_robot);
   }
 }
 
@@ -260,21 +289,6 @@ void Core::Finish() {
 }
 
 }  // namespace
-
-bool IsComplete(const ScanCounts& counts) {
-  return counts.lost + counts.refused + counts.after_time_jump + counts.transforms_refused == 0;
-}
-
-std::vector<std::pair<std::string, std::int64_t>> NamedCounts(const ScanCounts& counts) {
-  return {{"lost", counts.lost},
-          {"received", counts.received},
-          {"throttled", counts.throttled},
-          {"refused", counts.refused},
-          {"after_time_jump", counts.after_time_jump},
-          {"waiting", counts.waiting},
-          {"used", counts.used},
-          {"transforms_refused", counts.transforms_refused}};
-}
 
 std::unique_ptr<SlamNodeCore> MakeSlamNodeCore(const NodeOptions& options,
                                                Serialization serialization, NodeOutput* output) {

@@ -8,32 +8,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "experiments/ros/node_output.h"
 #include "experiments/ros/parameters.h"
+#include "experiments/ros/scan_counts.h"
 
 namespace gmapping_spa::ros {
 
-// Where the scans went. received = throttled + refused + after_time_jump + waiting + used, and
-// some that are held until later ones and their odometry have come.
-struct ScanCounts {
-  std::int64_t lost = 0;  // on the way here, as gaps in their numbers tell
-  std::int64_t received = 0;
-  std::int64_t throttled = 0;           // left out by throttle_scans
-  std::int64_t refused = 0;             // for want of room
-  std::int64_t after_time_jump = 0;     // refused, as the clock went back
-  std::int64_t waiting = 0;             // for the SLAM
-  std::int64_t used = 0;                // by the SLAM
-  std::int64_t transforms_refused = 0;  // messages, for want of room
-};
-
-// Whether all that came is used, was to be left out, or waits.
-bool IsComplete(const ScanCounts& counts);
-
-// By the names above.
-std::vector<std::pair<std::string, std::int64_t>> NamedCounts(const ScanCounts& counts);
+// Whether the robot is known to be somewhere in the map of another run that --map_session names.
+enum class OldMap : std::uint8_t { kNone, kSearched, kFound };
 
 // A pose in space, as geometry_msgs/Pose has it.
 struct SpatialPose {
@@ -53,12 +36,14 @@ class SlamNodeCore {
   // Scans did not get here.
   virtual void CountLost(std::int64_t scans) = 0;
 
-  // The pose of the robot at the first scan; says why not where the first scan has been used. Until
-  // then the map frame is the pose of the robot at the first scan.
+  // The pose of the robot at the first scan; says why not where the first scan has been used, or
+  // the map frame is that of an old map. Else the map frame is the pose of the robot at the first
+  // scan.
   virtual void SetStartPose(const std::string& frame, const SpatialPose& map_T_robot) = 0;
 
-  // Nothing before the first scan with odometry.
+  // Nothing before the first scan with odometry, and while the robot is not found in the old map.
   virtual std::optional<PlanarPose> map_T_odom() const = 0;
+  virtual OldMap old_map() const = 0;
   virtual const std::string& odom_frame() const = 0;
   virtual ScanCounts counts() const = 0;
   // Whether there is no point in going on: Finish throws.

@@ -139,6 +139,27 @@ TEST_F(ImprovedGmappingSession, ARobotThatIsCarriedAwayIsFoundAgainAtOnce) {
   EXPECT_LT(LargestError(result, old_scans), 1.0);
 }
 
+TEST_F(ImprovedGmappingSession, APoseIsPlacedOnceItIsOneInTheOldMap) {
+  Drive(0, 46);
+  EXPECT_TRUE(gmapping_->IsPlaced());
+  for (const auto use : {MapSession::Use::kMapOn, MapSession::Use::kLocalize}) {
+    gmapping_->BeginSession(use);
+    EXPECT_FALSE(gmapping_->IsPlaced());
+    const std::vector<sensor::LaserScan> scans = synthetic::Driven(synthetic::Hall(), 20, 30);
+    std::size_t placed = 0;
+    for (sensor::LaserScan scan : scans) {
+      const SE2 truth = Between(truth_.front(), scan.odom_T_robot);
+      scan.odom_T_robot = Between(scans.front().odom_T_robot, scan.odom_T_robot);
+      gmapping_->AddScan(scan);
+      if (!gmapping_->IsPlaced()) continue;
+      ++placed;
+      EXPECT_LT(Between(truth, gmapping_->CurrentPose()).translation().norm(), 0.15);
+    }
+    EXPECT_GT(placed, scans.size() / 2);
+    EXPECT_TRUE(gmapping_->IsPlaced());
+  }
+}
+
 TEST_F(ImprovedGmappingSession, AThirdDayGoesOnInTheMapOfTwo) {
   Drive(0, 20);
   gmapping_->BeginSession(MapSession::Use::kMapOn);

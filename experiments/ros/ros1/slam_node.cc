@@ -72,7 +72,7 @@ void SlamNode::Spin() {
     ::ros::WallDuration(0.05).sleep();
     if (std::chrono::steady_clock::now() < next_diagnostics) continue;
     next_diagnostics += std::chrono::seconds(1);
-    auto array = DiagnosticsOf<diagnostic_msgs::DiagnosticArray>(core_->counts(),
+    auto array = DiagnosticsOf<diagnostic_msgs::DiagnosticArray>(core_->counts(), core_->old_map(),
                                                                  ::ros::this_node::getName());
     array.header.stamp = ::ros::Time::now();
     diagnostics_.publish(array);

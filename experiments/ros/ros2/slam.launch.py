@@ -7,7 +7,7 @@ from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
 
 DEFAULTS = {"base_frame": "base_link", "odom_frame": "odom", "map_frame": "map", "output_dir": "",
-            "save_session": ""}
+            "save_session": "", "map_session": "", "localize": "false"}
 
 
 def generate_launch_description():

@@ -148,7 +148,8 @@ class SlamNode : private NodeOutput {
     diagnostics_timer_ = node_->create_wall_timer(
         std::chrono::seconds(1),
         [this] {
-          auto array = DiagnosticsOf<DiagnosticArray>(core_->counts(), node_->get_name());
+          auto array =
+              DiagnosticsOf<DiagnosticArray>(core_->counts(), core_->old_map(), node_->get_name());
           array.header.stamp = node_->now();
           diagnostics_->publish(array);
         },

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The node under a real roscore, started by its launch file: a part of a bag is played to it, and what it
-makes of it is what gmapping_spa makes of the same bag."""
+makes of it is what gmapping_spa makes of the same bag. Then another node is localized in that map."""
 
 import contextlib
 import json
@@ -112,6 +112,10 @@ class Ros1NodeTest(unittest.TestCase):
                           ROS_LOG_DIR=str(cls.folder / "log"))
         cls.enterClassContext(running(["roscore", "-p", str(port)], cls.folder / "roscore.txt"))
         cls.play()
+        cls.localize()
+        import rospy
+
+        rospy.signal_shutdown("the test is at its end")
 
     @classmethod
     def run_offline(cls, name, *flags):
@@ -127,25 +131,41 @@ class Ros1NodeTest(unittest.TestCase):
         wait_until(master.is_online, 60, "no roscore")
         master.setParam("/use_sim_time", True)
         master.setParam(f"{NODE}/xmin", -10.0)
+        # No signals: unittest has its own. The clock is that of the bag.
+        rospy.init_node("test", disable_signals=True)
+        cls.listen()
+        with cls.node("online", "map_update_interval:=1.0", f"save_session:={cls.folder}/saved"):
+            cls.take_what_it_offers()
+        cls.log = (cls.folder / "online.txt").read_text()
+        cls.mapped_transforms = list(cls.transforms)
+
+    @classmethod
+    def localize(cls):
+        cls.transforms.clear()
+        with cls.node("localized", f"map_session:={cls.folder}/saved", "localize:=true"):
+            pass
+        cls.run_offline("localized_offline", f"--map_session={cls.folder}/saved", "--localize")
+
+    @classmethod
+    @contextlib.contextmanager
+    def node(cls, name, *arguments):
+        """One that has been given the whole bag, and after it has written its results."""
+        import rosgraph
+
         launch = pathlib.Path(os.environ["ROS_PACKAGE_PATH"].split(":")[0]) / "gmapping_spa/slam.launch"
-        with running(["roslaunch", str(launch), f"output_dir:={cls.folder}/online",
-                      "map_update_interval:=1.0", f"save_session:={cls.folder}/saved", "flags:=" + " ".join(FLAGS)],
-                     cls.folder / "node.txt"):
-            # No signals: unittest has its own. The clock is that of the bag.
-            rospy.init_node("test", disable_signals=True)
-            cls.listen()
+        cls.counts.clear()
+        with running(["roslaunch", str(launch), f"output_dir:={cls.folder}/{name}", *arguments,
+                      "flags:=" + " ".join(FLAGS)], cls.folder / f"{name}.txt"):
             wait_until(lambda: "used" in cls.counts, 60, "no diagnostics of the node")
             subprocess.run([PLAYER, "--clock", "--queue=0", f"--rate={RATE}", "--delay=1", "--quiet",
                             f"{cls.folder}/part.bag"], check=True, timeout=120, stdout=subprocess.DEVNULL)
             wait_until(lambda: cls.counts["received"] == cls.scans and cls.counts["waiting"] == 0, 60,
                        f"of {cls.scans} scans the node has {cls.counts}")
-            cls.take_what_it_offers()
+            yield
             # A signal would make it leave out the final optimization.
-            uri = master.lookupNode(NODE)
+            uri = rosgraph.Master("/test").lookupNode(NODE)
             xmlrpc.client.ServerProxy(uri).shutdown("/test", "the bag is at its end")
-            wait_until((cls.folder / "online/run.json").is_file, 60, "no results")
-        cls.log = (cls.folder / "node.txt").read_text()
-        rospy.signal_shutdown("the test is at its end")
+            wait_until((cls.folder / name / "run.json").is_file, 60, "no results")
 
     @classmethod
     def listen(cls):
@@ -153,11 +173,14 @@ class Ros1NodeTest(unittest.TestCase):
         import rospy
 
         cls.counts = {}
+        cls.localizations = []  # what diagnostics say of it
 
         def on_diagnostics(message):
             for status in message.status:
                 if status.name == f"{NODE}: scans":
                     cls.counts.update({pair.key: int(pair.value) for pair in status.values})
+                elif status.name == f"{NODE}: localization":
+                    cls.localizations.append(status)
 
         rospy.Subscriber("/diagnostics", diagnostic_msgs.msg.DiagnosticArray, on_diagnostics)
         cls.transforms = []
@@ -232,11 +255,24 @@ class Ros1NodeTest(unittest.TestCase):
         self.assertEqual(self.metadata, self.map.info)
 
     def test_the_odometry_has_a_place_in_the_map(self):
-        self.assertGreater(len(self.transforms), 10)
-        last = self.transforms[-1]
+        self.assertGreater(len(self.mapped_transforms), 10)
+        last = self.mapped_transforms[-1]
         self.assertEqual(last.header.frame_id, "map")
         # The odometry of this log begins with a heading of -90 degrees.
         self.assertAlmostEqual(last.transform.rotation.z, 0.5**0.5, delta=0.1)
+
+    def test_robot_is_localized_in_the_map_of_before_as_with_the_bag(self):
+        for name in ("trajectory.tum", "map.pgm", "localization.csv"):
+            self.assertEqual((self.folder / "localized" / name).read_bytes(),
+                             (self.folder / "localized_offline" / name).read_bytes(), name)
+
+    def test_nothing_is_said_of_its_pose_before_it_is_found(self):
+        record = json.loads((self.folder / "localized/run.json").read_text())
+        found_s = record["session"]["found"][0]["stamp_s"]
+        self.assertGreater(len(self.transforms), 10)
+        # The clock may be ahead of the scan that is used.
+        self.assertGreater(min(t.header.stamp.to_sec() for t in self.transforms), found_s)
+        self.assertEqual((self.localizations[0].level, self.localizations[-1].level), (1, 0))
 
     def test_the_pose_graph_is_shown(self):
         markers = {marker.ns: marker for marker in self.graph.markers}
