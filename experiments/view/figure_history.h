@@ -12,6 +12,9 @@
 
 namespace gmapping_spa::view {
 
+// Of a run that is shown.
+inline constexpr std::size_t kHistoryRows = 2048;
+
 class FigureHistory {
  public:
   explicit FigureHistory(std::size_t capacity) : rows_(capacity) {}

@@ -10,8 +10,6 @@
 namespace gmapping_spa::view {
 namespace {
 
-constexpr std::size_t kHistoryRows = 2048;
-
 std::vector<ViewedRun> Viewed(const std::vector<FinishedRun>& runs,
                               std::deque<FigureHistory>* histories) {
   std::vector<ViewedRun> viewed;

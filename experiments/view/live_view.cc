@@ -16,8 +16,7 @@ namespace {
 constexpr auto kPeriod = std::chrono::milliseconds(100);  // of snapshots
 constexpr auto kSpeedWindow = std::chrono::milliseconds(500);
 constexpr auto kPauseWithoutClients = std::chrono::seconds(10);
-constexpr auto kPatience = std::chrono::seconds(5);
-constexpr std::size_t kHistoryRows = 2048;
+constexpr auto kDrainPatience = std::chrono::seconds(5);
 
 }  // namespace
 
@@ -39,7 +38,7 @@ void LiveView::Keep() {
   while (!is_asked_to_stop_()) std::this_thread::sleep_for(kPeriod);
 }
 
-void LiveView::Drain() { server_.Drain(kPatience); }
+void LiveView::Drain() { server_.Drain(kDrainPatience); }
 
 void LiveView::MeasureSpeed() {
   ++scans_since_;
