@@ -27,7 +27,10 @@ export class Pane {
     this.caption.className = "caption";
     this.badge = document.createElement("span");
     this.badge.className = "badge";
-    this.caption.append(document.createTextNode(run.name), this.badge);
+    const name = document.createElement("span");
+    name.className = "name";
+    name.textContent = run.name;
+    this.caption.append(name, this.badge);
     this.element.append(this.canvas, this.caption);
     this.context = this.canvas.getContext("2d");
     this.size = {width: 1, height: 1};
