@@ -187,6 +187,10 @@ void DriveSession::Tick() {
 
 void DriveSession::Save() {
   if (tour_.steps() == 0) return;
+  if (!setup_.save) {  // before maps are finished, and have to begin anew, for nothing
+    note_ = "not saved: the program was started without --output_dir=DIR";
+    return;
+  }
   Publish("saving");
   VariantResults results;
   for (const auto& [run, variant] : variants_) {

@@ -36,7 +36,7 @@ struct DriveSetup {
   view::ServerOptions server;
   // Throws std::runtime_error with one line where a choice makes no sense.
   std::function<VariantSetup(const VariantChoice&)> make_variant;
-  // Writes the tour; returns a line for people.
+  // Writes the tour; returns a line for people. Empty: nothing can be saved.
   std::function<std::string(const class DriveSession&, const VariantResults&)> save;
   std::function<bool()> is_asked_to_stop;
 };

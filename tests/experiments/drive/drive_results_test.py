@@ -155,6 +155,19 @@ class DriveResultsTest(drive_fixture.DriveTestCase):
         self.assertTrue(web_socket.is_closed(bad))
         self.drive(connection)
 
+    def test_without_a_folder_to_save_in_maps_are_not_finished_for_nothing(self):
+        program = self.start("--speed=20", "--output_dir=")
+        connection = self.open(program)
+        self.drive(connection)
+        self.send(connection, "save")
+        self.wait_for(connection, "status", lambda status: status["note"].startswith("not saved: "))
+        variants = self.wait_for(self.open(program), "variants", lambda _: True)["list"]
+        self.assertIn(variants[0]["state"], ("replaying", "following"))
+
+    def test_folder_that_cannot_be_written_is_refused_before_somebody_drives(self):
+        with self.assertRaisesRegex(AssertionError, "cannot make the folder '/proc/x'"):
+            self.start("--output_dir=/proc/x")
+
     def test_flags_of_tours_are_refused(self):
         with self.assertRaisesRegex(AssertionError, "--crowd=3: expected to be left out"):
             self.start("--crowd=3")
