@@ -174,8 +174,9 @@ void DriveSession::Tick() {
   if (wishes.holds()) {
     follower_.reset();
     way_.clear();
-    note_.clear();
+    if (!was_held_) note_.clear();  // what is said while keys are held has to be read
   }
+  was_held_ = wishes.holds();
   if (wishes.save) Save();
   const bool drives = Drives(wishes);
   if (drives) {

@@ -93,6 +93,7 @@ class DriveSession {
   double standing_s_ = 0.0;  // since anything was wanted
   double odometry_noise_, slips_per_m_;
   std::string note_;
+  bool was_held_ = false;  // a key, in the last step
   std::size_t saved_steps_ = 0;
   std::shared_ptr<Throttle> truth_throttle_;
   Published published_;

@@ -117,6 +117,17 @@ class DriveResultsTest(drive_fixture.DriveTestCase):
         self.wait_for(later, "variants", lambda message: message["list"][0]["state"] != "finished", FORWARD)
         self.wait_for(later, "status", lambda status: status["time_s"] > saved_s + 1, FORWARD)
 
+    def test_what_a_save_has_to_say_stays_while_keys_are_held(self):
+        connection = self.open(self.start("--speed=20"))
+        self.wait_for(connection, "status", lambda status: status["path_m"] > 1, FORWARD)
+        self.send(connection, "save")
+        saved = self.wait_for(connection, "status", lambda status: "scans saved in" in status["note"], LEFT)
+        later = self.wait_for(connection, "status", lambda status: status["time_s"] > saved["time_s"] + 2, LEFT)
+        self.assertEqual(later["note"], saved["note"])
+        self.send(connection, "hold", forward=0, left=0)
+        self.wait_for(connection, "status", lambda status: status["velocity"] == [0, 0])
+        self.wait_for(connection, "status", lambda status: status["note"] == "", LEFT)
+
     def test_who_says_nothing_for_a_second_lets_go_of_the_keys(self):
         program = self.start()
         connection = self.open(program)
