@@ -202,6 +202,8 @@ void DriveSession::Save() {
   try {
     note_ = setup_.save(*this, results);
     saved_steps_ = tour_.steps();
+    const std::size_t failed = variants_.size() - results.size();
+    if (failed > 0) note_ += ", but for " + std::to_string(failed) + " of the maps: failed";
   } catch (const std::exception& error) {
     note_ = std::string("not saved: ") + error.what();
   }

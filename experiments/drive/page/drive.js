@@ -165,7 +165,7 @@ class App {
     if (status === null) return;
     const note = element("note");
     if (note.textContent !== status.note) note.textContent = status.note;
-    note.classList.toggle("bad", /^not saved|^failed|^stopped|no way|no more/.test(status.note));
+    note.classList.toggle("bad", /^not saved|failed|^stopped|no way|no more/.test(status.note));
     const [x, y] = status.pose, [ox, oy] = status.odometry;
     const rows = [["Speed", `${status.velocity[0].toFixed(2)} m/s`],
                   ["Turn rate", `${status.velocity[1].toFixed(2)} rad/s`],

@@ -3,6 +3,7 @@
 """What is driven over a WebSocket and saved is what gmapping_spa makes of the log, and a tour that
 is driven again gives the same bytes."""
 import json
+import shutil
 import signal
 import time
 import unittest
@@ -116,6 +117,19 @@ class DriveResultsTest(drive_fixture.DriveTestCase):
         self.assertAlmostEqual(status["time_s"], saved_s)
         self.wait_for(later, "variants", lambda message: message["list"][0]["state"] != "finished", FORWARD)
         self.wait_for(later, "status", lambda status: status["time_s"] > saved_s + 1, FORWARD)
+
+    def test_save_says_which_maps_it_could_not_make(self):
+        back_end = self.folder / "libmine.so"
+        shutil.copy(drive_fixture.BINARIES.parent / "lib" / "gmapping_spa" / "libgmapping_spa_none.so", back_end)
+        connection = self.open(self.start("--speed=20", f"--backend={back_end}"))
+        self.drive(connection)
+        self.save(connection)
+        back_end.unlink()
+        self.wait_for(connection, "variants", lambda message: message["list"][0]["state"].startswith("failed: "), LEFT)
+        self.send(connection, "hold", forward=0, left=0)
+        self.send(connection, "save")
+        self.wait_for(connection, "status", lambda status: "but for 1 of the maps: failed" in status["note"])
+        self.assertEqual(json.loads((self.folder / "out" / "drive.json").read_text())["variants"], [])
 
     def test_what_a_save_has_to_say_stays_while_keys_are_held(self):
         connection = self.open(self.start("--speed=20"))
