@@ -18,6 +18,7 @@
 #include "experiments/apps/backend_flags.h"
 #include "experiments/apps/drive_record.h"
 #include "experiments/apps/flag_checks.h"
+#include "experiments/apps/output_files.h"
 #include "experiments/apps/server_flags.h"
 #include "experiments/apps/simulation_flags.h"
 #include "experiments/apps/slam_flags.h"
@@ -107,9 +108,9 @@ drive::DriveSetup SetupFromFlags(const SimulationSetup& setup, double occupied_t
                  .truth_resolution_m = setup.truth.resolution_m,
                  .map_resolution_m = SlamOptionsFromFlags().resolution_m,
                  .backends = BackEnds()};
+  if (FLAGS_output_dir.empty()) return drive;
   drive.save = [&setup, occupied_threshold](const drive::DriveSession& session,
                                             const drive::VariantResults& results) {
-    if (FLAGS_output_dir.empty()) throw std::runtime_error("--output_dir=DIR is missing");
     return WriteDrive(setup, session, results, occupied_threshold, FLAGS_output_dir);
   };
   return drive;
@@ -118,6 +119,7 @@ drive::DriveSetup SetupFromFlags(const SimulationSetup& setup, double occupied_t
 void Run() {
   CheckFlagsOfTours();
   const double speed = InRange("speed", FLAGS_speed, 0.1, 100.0);
+  if (!FLAGS_output_dir.empty()) OutputFiles fails_before_somebody_drives(FLAGS_output_dir);
   const SimulationSetup setup = SimulationFromFlags(FLAGS_seed);
   const std::vector<drive::DriveCommand> commands = CommandsFromFlags();
   const drive::VariantChoice first = ChoiceFromFlags();

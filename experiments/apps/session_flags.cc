@@ -46,6 +46,11 @@ void BeginAsFlagsSay(SlamRun* slam) {
   }
   if (!FLAGS_resume.empty()) {
     slam->Resume(read(FLAGS_resume), FLAGS_resume);  // which knows of the map
+    if (!FLAGS_map_session.empty() && !slam->gmapping().session()) {
+      throw std::runtime_error(FLAGS_resume +
+                               ": expected the session of a run with --map_session, " +
+                               "found one that has a map of its own");
+    }
   } else if (!FLAGS_map_session.empty()) {
     slam->GoOnInMapOf(
         read(FLAGS_map_session), FLAGS_map_session,

@@ -220,6 +220,11 @@ SimulationSetup SetupFromFlags(std::uint64_t seed) {
       FLAGS_path.empty()
           ? std::filesystem::path(FLAGS_world).replace_extension("path.yaml").string()
           : FLAGS_path;
+  if (FLAGS_path.empty() && std::filesystem::exists(FLAGS_world) &&
+      !std::filesystem::exists(path)) {
+    throw std::runtime_error("--path=FILE is missing, and there is no " + path +
+                             " beside the world");
+  }
   std::map<std::string, std::string> input_files = {{"world", FLAGS_world}, {"path", path}};
   if (!FLAGS_obstacles.empty()) input_files["obstacles"] = FLAGS_obstacles;
   simulation::Scene scene =

@@ -82,7 +82,14 @@ void ViewFinishedRuns() {
 }
 
 std::unique_ptr<view::LiveView> LiveViewFromFlags(const std::string& name, double resolution_m) {
-  if (FLAGS_view.empty()) return nullptr;
+  if (FLAGS_view.empty()) {
+    for (const char* flag : {"view_wait", "view_keep"}) {
+      if (gflags::GetCommandLineFlagInfoOrDie(flag).current_value == "false") continue;
+      throw std::runtime_error(std::string("--") + flag +
+                               " needs --view: the page that it is about");
+    }
+    return nullptr;
+  }
   auto live_view = std::make_unique<view::LiveView>(
       ViewServerOptionsFromFlags(),
       view::RunTitle{.name = std::filesystem::path(name).filename().string(),

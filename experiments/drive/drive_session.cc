@@ -174,8 +174,9 @@ void DriveSession::Tick() {
   if (wishes.holds()) {
     follower_.reset();
     way_.clear();
-    note_.clear();
+    if (!was_held_) note_.clear();  // what is said while keys are held has to be read
   }
+  was_held_ = wishes.holds();
   if (wishes.save) Save();
   const bool drives = Drives(wishes);
   if (drives) {
@@ -187,6 +188,10 @@ void DriveSession::Tick() {
 
 void DriveSession::Save() {
   if (tour_.steps() == 0) return;
+  if (!setup_.save) {  // before maps are finished, and have to begin anew, for nothing
+    note_ = "not saved: the program was started without --output_dir=DIR";
+    return;
+  }
   Publish("saving");
   VariantResults results;
   for (const auto& [run, variant] : variants_) {
@@ -197,6 +202,8 @@ void DriveSession::Save() {
   try {
     note_ = setup_.save(*this, results);
     saved_steps_ = tour_.steps();
+    const std::size_t failed = variants_.size() - results.size();
+    if (failed > 0) note_ += ", but for " + std::to_string(failed) + " of the maps: failed";
   } catch (const std::exception& error) {
     note_ = std::string("not saved: ") + error.what();
   }

@@ -36,7 +36,7 @@ struct DriveSetup {
   view::ServerOptions server;
   // Throws std::runtime_error with one line where a choice makes no sense.
   std::function<VariantSetup(const VariantChoice&)> make_variant;
-  // Writes the tour; returns a line for people.
+  // Writes the tour; returns a line for people. Empty: nothing can be saved.
   std::function<std::string(const class DriveSession&, const VariantResults&)> save;
   std::function<bool()> is_asked_to_stop;
 };
@@ -93,6 +93,7 @@ class DriveSession {
   double standing_s_ = 0.0;  // since anything was wanted
   double odometry_noise_, slips_per_m_;
   std::string note_;
+  bool was_held_ = false;  // a key, in the last step
   std::size_t saved_steps_ = 0;
   std::shared_ptr<Throttle> truth_throttle_;
   Published published_;

@@ -123,6 +123,8 @@ std::vector<DriveCommand> ReadCommands(std::istream& in, const std::string& name
       rest.remove_prefix(is_last ? rest.size() : comma + 1);
     }
     if (numbers[2] < 0.0 || numbers[3] < 0.0) fail("noise and slips from 0", line);
+    // A number that is cut is another number.
+    if (in.eof()) fail("a line that ends, as the last one of a whole file does", line);
     commands.push_back({{numbers[0], numbers[1]}, numbers[2], numbers[3]});
   }
   if (line_number == 0) {

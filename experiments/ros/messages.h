@@ -113,7 +113,7 @@ void AddOldMap(OldMap old_map, const std::string& node, Diagnostics* diagnostics
                          "odom";
 }
 
-// diagnostic_msgs/DiagnosticArray: where the scans went; a warning where any was left out.
+// diagnostic_msgs/DiagnosticArray: where the scans went; a warning where there is a problem.
 template <typename Diagnostics>
 Diagnostics DiagnosticsOf(const ScanCounts& counts, OldMap old_map, const std::string& node) {
   Diagnostics diagnostics;
@@ -121,12 +121,9 @@ Diagnostics DiagnosticsOf(const ScanCounts& counts, OldMap old_map, const std::s
   auto& status = diagnostics.status.back();
   using Status = std::decay_t<decltype(status)>;
   status.name = node + ": scans";
-  status.level = Status::OK;
-  status.message = "all scans are used";
-  if (!IsComplete(counts)) {
-    status.level = Status::WARN;
-    status.message = "scans were left out";
-  }
+  const std::string problem = ProblemOf(counts);
+  status.level = problem.empty() ? Status::OK : Status::WARN;
+  status.message = problem.empty() ? "all scans are used" : problem;
   for (const auto& [name, value] : NamedCounts(counts)) {
     status.values.emplace_back();
     status.values.back().key = name;

@@ -76,6 +76,8 @@ double EntropyOfWeights(const std::vector<double>& log_weights, double gain) {
 
 NodeSlam::NodeSlam(double map_update_interval_s, std::optional<double> minimum_score)
     : map_update_interval_s_(map_update_interval_s), minimum_score_(minimum_score) {
+  const std::string folder = OutputFolderFromFlags();
+  if (!folder.empty()) apps::OutputFiles fails_before_the_work_and_not_after(folder);
   MakeRun();
 }
 

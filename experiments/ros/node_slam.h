@@ -37,8 +37,8 @@ class NodeSlam {
   std::optional<backend::SE2> AddScan(const sensor::LaserScan& scan);
 
   // What is known, where map_update_interval_s has passed since the last time and the map has
-  // changed: of the first scan at once. In an old map it is that one, while the robot is not found
-  // there, and with --localize always.
+  // changed: of the first scan at once. An old map is there before the first scan; it is that one
+  // while the robot is not found in it, and with --localize always.
   std::optional<Snapshot> DueSnapshot(const backend::SE2& map_T_world);
 
   // Writes the session to the file that --save_session names. Throws std::runtime_error with one
@@ -55,9 +55,9 @@ class NodeSlam {
   std::unique_ptr<apps::SessionSaver> saver_;  // null without --save_session
   double map_update_interval_s_;
   std::optional<double> minimum_score_;
-  double stamp_s_ = 0.0;            // of the latest scan
-  std::optional<double> shown_s_;   // of the last snapshot
-  std::int64_t shown_changes_ = 0;  // updates and corrections by then
+  double stamp_s_ = 0.0;             // of the latest scan
+  std::optional<double> shown_s_;    // of the last snapshot
+  std::int64_t shown_changes_ = -1;  // updates and corrections by then
 };
 
 }  // namespace gmapping_spa::ros

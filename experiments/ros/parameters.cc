@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/ros/parameters.h"
 
+#include <gflags/gflags.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -158,6 +160,17 @@ bool IsFlag(const std::string& name, const apps::FlagGroups& groups) {
          });
 }
 
+// A flag that the command line would refuse is named as the parameter that it is: it may be left
+// over on the parameter server from a node before.
+void CheckType(const std::string& name, const std::string& text) {
+  gflags::CommandLineFlagInfo info;
+  if (name == "flagfile" || !gflags::GetCommandLineFlagInfo(name.c_str(), &info)) return;
+  const gflags::FlagSaver saver;
+  if (!gflags::SetCommandLineOption(name.c_str(), text.c_str()).empty()) return;
+  throw std::runtime_error("~" + name + ": expected a value of type " + info.type + ", found " +
+                           backend::Quoted(text));
+}
+
 }  // namespace
 
 NodeParameters ReadParameters(const Parameters& parameters, const apps::FlagGroups& flag_groups) {
@@ -179,6 +192,7 @@ NodeParameters ReadParameters(const Parameters& parameters, const apps::FlagGrou
                             : Number(name, text, -1e9, 1e9) > refused->harmless;
       if (asks) read.refusals.push_back("~" + name + " is not used: " + refused->reason);
     } else if (IsFlag(name, flag_groups)) {
+      CheckType(name, text);
       read.flags.push_back(std::string("--").append(name).append("=").append(text));
     } else {
       read.refusals.push_back("~" + name + " is not used: neither slam_gmapping nor gmapping_spa " +

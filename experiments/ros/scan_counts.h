@@ -21,10 +21,14 @@ struct ScanCounts {
   std::int64_t waiting = 0;             // for the SLAM
   std::int64_t used = 0;                // by the SLAM
   std::int64_t transforms_refused = 0;  // messages, for want of room
+  double silent_s = 0.0;                // wall time since the last one came, or since the start
 };
 
 // Whether all that came is used, was to be left out, or waits.
 bool IsComplete(const ScanCounts& counts);
+
+// What a person has to look after, in a line that stays the same while it is so; empty: nothing.
+std::string ProblemOf(const ScanCounts& counts);
 
 // By the names above.
 std::vector<std::pair<std::string, std::int64_t>> NamedCounts(const ScanCounts& counts);

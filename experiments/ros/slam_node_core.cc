@@ -75,6 +75,7 @@ class Core : public SlamNodeCore {
   bool Accepts(std::int64_t time_ns);
   void Work();
   void Use(const sensor::LaserScan& scan);
+  void ShowWhatIsDue();
   void TakePose(const std::optional<SE2>& world_T_robot, const sensor::LaserScan& scan);
   void SayFindings();
   void Stop();
@@ -91,6 +92,7 @@ class Core : public SlamNodeCore {
 
   mutable std::mutex mutex_;  // of what follows
   ScanCounts counts_;
+  std::chrono::steady_clock::time_point scan_came_ = std::chrono::steady_clock::now();  // the last
   std::int64_t newest_ns_ = 0;
   bool time_jumped_ = false;
   std::string error_;
@@ -129,6 +131,7 @@ bool Core::Accepts(std::int64_t time_ns) {
 void Core::TakeScan(std::string_view data, std::int64_t time_ns) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::int64_t number = counts_.received++;
+  scan_came_ = std::chrono::steady_clock::now();
   if (!Accepts(time_ns)) {
     ++counts_.after_time_jump;
   } else if (number % options_.throttle_scans != 0) {
@@ -208,6 +211,8 @@ ScanCounts Core::counts() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   ScanCounts counts = counts_;
   counts.waiting = source_.waiting_scans();
+  counts.silent_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - scan_came_).count();
   return counts;
 }
 
@@ -218,6 +223,7 @@ bool Core::failed() const {
 
 void Core::Work() {
   try {
+    if (has_old_map_) ShowWhatIsDue();  // which is there before the first scan
     while (const std::optional<sensor::LaserScan> scan = reader_->Next()) {
       Use(*scan);
       SayFindings();
@@ -230,14 +236,22 @@ void Core::Work() {
 }
 
 void Core::Use(const sensor::LaserScan& scan) {
+  {
+    const std::lock_guard<std::mutex> slam_lock(slam_mutex_);
+    const std::optional<SE2> world_T_robot = slam_.AddScan(scan);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++counts_.used;
+    TakePose(world_T_robot, scan);
+  }
+  ShowWhatIsDue();
+}
+
+void Core::ShowWhatIsDue() {
   const std::lock_guard<std::mutex> slam_lock(slam_mutex_);
-  const std::optional<SE2> world_T_robot = slam_.AddScan(scan);
   SE2 map_T_world;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    ++counts_.used;
     map_T_world = map_T_world_;
-    TakePose(world_T_robot, scan);
   }
   if (const std::optional<Snapshot> snapshot = slam_.DueSnapshot(map_T_world)) {
     output_->Show(*snapshot);

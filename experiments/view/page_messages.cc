@@ -106,6 +106,7 @@ MessagePtr FrameMessage(int run, const Snapshot& snapshot) {
                  {"rows", std::move(rows)},
                  {"lost", snapshot.lost},
                  {"ambiguous", snapshot.ambiguous},
+                 {"placed", snapshot.placed},
                  {"particles", std::move(particles)},
                  {"best", snapshot.best_particle},
                  {"scan", ScanJson(snapshot.scan, snapshot.figures.world_T_robot)}});

@@ -69,6 +69,7 @@ Snapshot SnapshotOf(const ImprovedGmapping& gmapping, const sensor::LaserScan& s
   snapshot.figures = FiguresOf(gmapping, scan.stamp_s, result.world_T_robot);
   snapshot.lost = result.lost;
   snapshot.ambiguous = result.ambiguous;
+  snapshot.placed = gmapping.IsPlaced();
   snapshot.scan = scan;
   AddParticles(gmapping.filter(), &snapshot);
   AddHealth(gmapping.health(), &snapshot);

@@ -65,6 +65,9 @@ struct Snapshot {
   std::vector<Figures> history;  // at the updates since the snapshot before
   bool lost = false;             // of the latest scan
   bool ambiguous = false;
+  // False while the robot is not found in an old map: grid, particles and scan are of a piece that
+  // may lie anywhere in it, the graph is that of the old map.
+  bool placed = true;
   std::vector<ParticleSnapshot> particles;
   int best_particle = 0;
   sensor::LaserScan scan;  // the latest one, not deskewed

@@ -161,13 +161,17 @@ bool BagReader::Read() {
     }
     Take(*message);
   } catch (const MalformedRecord& malformed) {
-    const std::string error =
-        *message->file + ": " + message->unit + " " + std::to_string(message->place) + ": topic " +
-        source_->contents().topics[message->topic].name + ": " + malformed.what();
-    if (options_.bad_record == sensor::BadRecordPolicy::kFail) throw std::runtime_error(error);
-    if (++num_malformed_ == 1) first_malformed_ = error;
+    LeaveOut(*message, malformed.what());
   }
   return true;
+}
+
+void BagReader::LeaveOut(const BagMessage& message, const std::string& reason) {
+  const std::string error = *message.file + ": " + message.unit + " " +
+                            std::to_string(message.place) + ": topic " +
+                            source_->contents().topics[message.topic].name + ": " + reason;
+  if (options_.bad_record == sensor::BadRecordPolicy::kFail) throw std::runtime_error(error);
+  if (++num_malformed_ == 1) first_malformed_ = error;
 }
 
 void BagReader::Take(const BagMessage& message) {
@@ -211,6 +215,11 @@ void BagReader::TakeTf(const BagMessage& message) {
   for (const TransformMessage& transform :
        ParseTf(message.data, source_->contents().topics[message.topic].encoding)) {
     ++num_transforms_;
+    if (transform.header.frame_id == transform.child_frame_id) {  // which tf leaves out as well
+      LeaveOut(message, "expected a transform between two frames, found one of '" +
+                            transform.child_frame_id + "' to itself");
+      continue;
+    }
     tree_.Set(transform.header.frame_id, transform.child_frame_id, transform.parent_T_child);
     if (!choice_.odometry_from_tf || !tf_odometry_.Is(transform)) continue;
     report_->odometry_from = "tf " + tf_odometry_.name();

@@ -43,6 +43,8 @@ class BagReader : public sensor::RecordReader {
   void BeginReport();
   // Reads a message; false at the end of the bag.
   bool Read();
+  // Counts it, or throws where --bad_record=fail says so.
+  void LeaveOut(const BagMessage& message, const std::string& reason);
   void Take(const BagMessage& message);
   void TakeScan(const BagMessage& message);
   void TakeOdometry(const BagMessage& message);

@@ -11,6 +11,7 @@ import {LINE_COLORS, ScoreCharts} from "./score_charts.js";
 import {meters, part, VariantPanel} from "./variant_panel.js";
 
 const ZOOM = 1.25;
+const SLIDING_MS = 1000;  // then what was chosen has come back
 
 const DRIVING = ["drive, while held", {ArrowUp: 0, ArrowLeft: 0, ArrowDown: 0, ArrowRight: 0, w: 0, a: 0, s: 0, d: 0}];
 const KEYS = [
@@ -40,6 +41,7 @@ class App {
   robot_radius_m = 0.5;
   connection_state = "connecting";
   #is_drawing = false;
+  #slid_at_ms = -Infinity;  // when somebody moved a slider last
 
   constructor() {
     this.panel = new VariantPanel(element("variants"), (choice) => this.connection.send("add", choice),
@@ -73,6 +75,7 @@ class App {
     }
     for (const id of ["noise", "slips"]) {
       element(id).addEventListener("input", () => {
+        this.#slid_at_ms = performance.now();
         this.connection.send("odometry", {noise: Number(element("noise").value), slips: Number(element("slips").value)});
         this.#tell_sliders();
       });
@@ -110,6 +113,8 @@ class App {
     this.panes = [...this.runs.values()].map((run) => new DrivePane(run, this));
     element("panes").dataset.count = this.panes.length;
     element("panes").replaceChildren(...this.panes.map((pane) => pane.element));
+    this.variants = [];
+    this.#slid_at_ms = -Infinity;
     this.panel.begin(hello);
     this.charts.begin();
     document.title = `${hello.world} – drive`;
@@ -160,7 +165,7 @@ class App {
     if (status === null) return;
     const note = element("note");
     if (note.textContent !== status.note) note.textContent = status.note;
-    note.classList.toggle("bad", /^not saved|^failed|^stopped|no way|no more/.test(status.note));
+    note.classList.toggle("bad", /^not saved|failed|^stopped|no way|no more/.test(status.note));
     const [x, y] = status.pose, [ox, oy] = status.odometry;
     const rows = [["Speed", `${status.velocity[0].toFixed(2)} m/s`],
                   ["Turn rate", `${status.velocity[1].toFixed(2)} rad/s`],
@@ -170,8 +175,9 @@ class App {
 
   #take_sliders() {
     const {noise, slips} = this.status;
+    const is_sliding = performance.now() - this.#slid_at_ms < SLIDING_MS;
     for (const [id, value] of Object.entries({noise, slips})) {
-      if (document.activeElement !== element(id)) element(id).value = value;
+      if (!is_sliding || document.activeElement !== element(id)) element(id).value = value;
     }
     this.#tell_sliders();
   }

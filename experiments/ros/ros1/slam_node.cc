@@ -13,6 +13,8 @@
 #include <chrono>
 #include <exception>
 #include <iostream>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -68,11 +70,17 @@ void SlamNode::Spin() {
   ::ros::AsyncSpinner spinner(2);  // while one saves a session, the other takes scans
   spinner.start();
   auto next_diagnostics = std::chrono::steady_clock::now();
+  std::set<std::string> said;  // once each
   while (::ros::ok() && apps::ReceivedSignal() == 0 && !core_->failed()) {
     ::ros::WallDuration(0.05).sleep();
     if (std::chrono::steady_clock::now() < next_diagnostics) continue;
     next_diagnostics += std::chrono::seconds(1);
-    auto array = DiagnosticsOf<diagnostic_msgs::DiagnosticArray>(core_->counts(), core_->old_map(),
+    const ScanCounts counts = core_->counts();
+    const std::string problem = ProblemOf(counts);
+    if (!problem.empty() && said.insert(problem).second) {
+      Say(Severity::kWarning, problem + " (topic " + scans_.getTopic() + ")");
+    }
+    auto array = DiagnosticsOf<diagnostic_msgs::DiagnosticArray>(counts, core_->old_map(),
                                                                  ::ros::this_node::getName());
     array.header.stamp = ::ros::Time::now();
     diagnostics_.publish(array);

@@ -27,7 +27,10 @@ export class Pane {
     this.caption.className = "caption";
     this.badge = document.createElement("span");
     this.badge.className = "badge";
-    this.caption.append(document.createTextNode(run.name), this.badge);
+    const name = document.createElement("span");
+    name.className = "name";
+    name.textContent = run.name;
+    this.caption.append(name, this.badge);
     this.element.append(this.canvas, this.caption);
     this.context = this.canvas.getContext("2d");
     this.size = {width: 1, height: 1};
@@ -100,8 +103,11 @@ export class Pane {
   draw_over() {}
 
   #draw_scene(pen, scene) {
-    const {layers, time_s, selection} = this.app;
+    const {time_s, selection} = this.app;
     const {colors} = pen;
+    // What the robot sees lies anywhere to the graph of an old map in which it is not found yet.
+    const is_placed = scene.is_past || this.run.frame.placed;
+    const layers = is_placed ? this.app.layers : {...this.app.layers, path: false, nodes: false, accepted: false, refused: false};
     if (layers.refused) {
       drawClosures(pen, linesOf(this.run, time_s, (c) => !isAccepted(c)), colors.refused, 1, [5, 4]);
     }
@@ -112,7 +118,7 @@ export class Pane {
     if (layers.accepted) {
       drawClosures(pen, linesOf(this.run, time_s, isAccepted), colors.accepted, 2, []);
     }
-    if (selection.run === this.run) {
+    if (is_placed && selection.run === this.run) {
       const selected = linesOf(this.run, null, (c) => c.position === selection.position);
       drawClosures(pen, selected, colors.selected, 4, []);
       drawEnds(pen, selected, colors.selected);
@@ -128,12 +134,14 @@ export class Pane {
   #tell(scene) {
     const frame = this.run.frame;
     const doubt = scene === null || scene.is_past ? "" : frame.lost ? "lost" : frame.ambiguous ? "ambiguous" : "";
-    this.badge.className = `badge ${doubt}`;
-    this.badge.textContent = doubt;
+    const is_searched = scene !== null && !scene.is_past && !frame.placed;
+    const words = is_searched ? "not found in the old map yet" : doubt;
+    this.badge.className = `badge ${is_searched ? "lost" : doubt}`;
+    this.badge.textContent = words;
     this.element.classList.toggle("chosen", this.app.panes.length > 1 && this.app.run === this.run);
     const where = scene === null || scene.pose.length < 3
         ? "nothing yet" : `robot at ${scene.pose[0].toFixed(1)}, ${scene.pose[1].toFixed(1)} m`;
-    this.canvas.setAttribute("aria-label", `Map of ${this.run.name}: ${where}. ${doubt}`);
+    this.canvas.setAttribute("aria-label", `Map of ${this.run.name}: ${where}. ${words}`);
   }
 
   // Those that are drawn.

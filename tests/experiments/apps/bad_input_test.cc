@@ -210,13 +210,21 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"NanUsableRange", "--usable_range_m=nan", "--usable_range_m"},
                       Case{"NanOccupiedThreshold", "--occupied_threshold=nan",
                            "--occupied_threshold"},
-                      Case{"MissingFlagFile", "--flagfile=/none/here", "/none/here"}),
+                      Case{"MissingFlagFile", "--flagfile=/none/here", "/none/here"},
+                      Case{"WaitWithoutView", "--view_wait", "--view_wait needs --view"},
+                      Case{"KeepWithoutView", "--view_keep", "--view_keep needs --view"}),
     NameOf);
 
 TEST_F(BadInput, TooManyHalvingsOfHillClimbingAreOneLine) {
   ExpectOneLine(Run(GMAPPING_SPA, {"--log=" + good_log_, "--scan_matcher=hill_climbing",
                                    "--match_refinements=100000"}),
                 "--match_refinements");
+}
+
+TEST_F(BadInput, WorldWithoutAPathIsOneLineThatNamesTheFlag) {
+  const std::string world = folder_.Path("alone.yaml");
+  std::filesystem::copy_file(WORLDS_FOLDER "/empty_hall.yaml", world);
+  ExpectOneLine(Run(SIMULATE, {"--world=" + world}), "--path=FILE is missing");
 }
 
 class BadSimulateFlag : public BadInput, public ::testing::WithParamInterface<Case> {};

@@ -115,6 +115,10 @@ TEST_F(MapSessionTour, WhatMakesNoSenseIsRefusedInOneLine) {
   const std::string both = folder_.Path("both.session");
   RunSecond(folder_.Path("c"), {"--save_session=" + both});
   EXPECT_THAT(error_of({"--log=" + both}), HasSubstr("give its logs one after another"));
+  EXPECT_THAT(error_of({"--resume=" + session_, "--map_session=" + session_}),
+              HasSubstr("expected the session of a run with --map_session"));
+  EXPECT_THAT(error_of({"--resume=" + both, "--map_session=" + session_, "--localize"}),
+              HasSubstr("--localize=false, found --localize=true"));
 }
 
 }  // namespace

@@ -179,6 +179,18 @@ class DrivePageTest(drive_fixture.DriveTestCase):
         self.browser.wait_for(f"{APP}.runs.size === 2")
         self.expect_silent_console()
 
+    def test_map_that_was_removed_is_gone_however_late_the_list_of_maps_comes(self):
+        self.begin("--speed=5")
+        self.browser.wait_for(f"{APP}.variants.length === 1")
+        self.browser.run(f"""
+            const {{connection}} = {APP}, take = connection.on_message;
+            connection.on_message = (message) => setTimeout(() => take(message), message.op === 'variants' ? 300 : 0);""")
+        self.browser.click(".variant button")
+        self.browser.wait_for(f"{APP}.runs.size === 1")
+        time.sleep(1)
+        self.assertEqual(self.text("#variants"), "")
+        self.expect_silent_console()
+
     def test_sliders_change_the_wheels(self):
         self.begin("--speed=5")
         self.browser.click("#noise")
@@ -205,8 +217,11 @@ class DrivePageTest(drive_fixture.DriveTestCase):
         self.program.end()
         self.browser.wait_for(f"{APP}.connection_state === 'lost'")
         self.assertIn("connection lost", self.text("#status"))
+        self.browser.run("document.getElementById('noise').focus()")
+        self.browser.press(RIGHT)  # which nobody hears
         self.start("--speed=5", port=self.program.port, output="again")
         self.browser.wait_for(f"{APP}.connection_state === 'open' && {STATUS}.path_m === 0")
+        self.browser.wait_for("document.getElementById('noise').value === '1'")
 
     def test_narrow_window_shows_all_without_scrolling_sideways(self):
         self.begin("--speed=5")

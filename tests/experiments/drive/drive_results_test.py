@@ -3,6 +3,7 @@
 """What is driven over a WebSocket and saved is what gmapping_spa makes of the log, and a tour that
 is driven again gives the same bytes."""
 import json
+import shutil
 import signal
 import time
 import unittest
@@ -117,6 +118,30 @@ class DriveResultsTest(drive_fixture.DriveTestCase):
         self.wait_for(later, "variants", lambda message: message["list"][0]["state"] != "finished", FORWARD)
         self.wait_for(later, "status", lambda status: status["time_s"] > saved_s + 1, FORWARD)
 
+    def test_save_says_which_maps_it_could_not_make(self):
+        back_end = self.folder / "libmine.so"
+        shutil.copy(drive_fixture.BINARIES.parent / "lib" / "gmapping_spa" / "libgmapping_spa_none.so", back_end)
+        connection = self.open(self.start("--speed=20", f"--backend={back_end}"))
+        self.drive(connection)
+        self.save(connection)
+        back_end.unlink()
+        self.wait_for(connection, "variants", lambda message: message["list"][0]["state"].startswith("failed: "), LEFT)
+        self.send(connection, "hold", forward=0, left=0)
+        self.send(connection, "save")
+        self.wait_for(connection, "status", lambda status: "but for 1 of the maps: failed" in status["note"])
+        self.assertEqual(json.loads((self.folder / "out" / "drive.json").read_text())["variants"], [])
+
+    def test_what_a_save_has_to_say_stays_while_keys_are_held(self):
+        connection = self.open(self.start("--speed=20"))
+        self.wait_for(connection, "status", lambda status: status["path_m"] > 1, FORWARD)
+        self.send(connection, "save")
+        saved = self.wait_for(connection, "status", lambda status: "scans saved in" in status["note"], LEFT)
+        later = self.wait_for(connection, "status", lambda status: status["time_s"] > saved["time_s"] + 2, LEFT)
+        self.assertEqual(later["note"], saved["note"])
+        self.send(connection, "hold", forward=0, left=0)
+        self.wait_for(connection, "status", lambda status: status["velocity"] == [0, 0])
+        self.wait_for(connection, "status", lambda status: status["note"] == "", LEFT)
+
     def test_who_says_nothing_for_a_second_lets_go_of_the_keys(self):
         program = self.start()
         connection = self.open(program)
@@ -154,6 +179,19 @@ class DriveResultsTest(drive_fixture.DriveTestCase):
         self.send(bad, "add", backend="/tmp/mine.so", particles=5, correction="pose")
         self.assertTrue(web_socket.is_closed(bad))
         self.drive(connection)
+
+    def test_without_a_folder_to_save_in_maps_are_not_finished_for_nothing(self):
+        program = self.start("--speed=20", "--output_dir=")
+        connection = self.open(program)
+        self.drive(connection)
+        self.send(connection, "save")
+        self.wait_for(connection, "status", lambda status: status["note"].startswith("not saved: "))
+        variants = self.wait_for(self.open(program), "variants", lambda _: True)["list"]
+        self.assertIn(variants[0]["state"], ("replaying", "following"))
+
+    def test_folder_that_cannot_be_written_is_refused_before_somebody_drives(self):
+        with self.assertRaisesRegex(AssertionError, "cannot make the folder '/proc/x'"):
+            self.start("--output_dir=/proc/x")
 
     def test_flags_of_tours_are_refused(self):
         with self.assertRaisesRegex(AssertionError, "--crowd=3: expected to be left out"):

@@ -58,7 +58,8 @@ TEST(RecordedTour, BadCommandsAreNamedByTheirLine) {
       {header + "1,0,1,0\n1,0,1\n", "commands.csv:3: expected four numbers, found '1,0,1'"},
       {header + "1,0,1,0,0\n", "commands.csv:2: expected four numbers"},
       {header + "nan,0,1,0\n", "commands.csv:2: expected four numbers"},
-      {header + "1,0,-1,0\n", "commands.csv:2: expected noise and slips from 0"}};
+      {header + "1,0,-1,0\n", "commands.csv:2: expected noise and slips from 0"},
+      {header + "1,0,1,0\n1,0,1,0.0", "commands.csv:3: expected a line that ends"}};
   for (const auto& [text, message] : cases) {
     std::istringstream in(text);
     try {

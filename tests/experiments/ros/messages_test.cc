@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiments/ros/messages.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -34,6 +35,18 @@ TEST(DiagnosticsOf, TellsWhereTheScansWent) {
   EXPECT_EQ(some_lost.status[0].level, DiagnosticStatus::WARN);
   EXPECT_EQ(some_lost.status[0].values[0].key, "lost");
   EXPECT_EQ(some_lost.status[0].values[0].value, "3");
+}
+
+TEST(DiagnosticsOf, WarnsWhereNoScansComeAndWhereTheyWait) {
+  const auto message_of = [](const ScanCounts& counts) {
+    const auto status = DiagnosticsOf<DiagnosticArray>(counts, OldMap::kNone, "/slam").status.at(0);
+    return status.level == DiagnosticStatus::WARN ? status.message : "";
+  };
+  EXPECT_EQ(message_of({.silent_s = 9.0}), "");
+  EXPECT_EQ(message_of({.silent_s = 11.0}), "no scan has come yet");
+  EXPECT_EQ(message_of({.received = 5, .silent_s = 11.0}), "no scans come any more");
+  EXPECT_EQ(message_of({.received = 60, .waiting = 10}), "");
+  EXPECT_THAT(message_of({.received = 60, .waiting = 51}), testing::HasSubstr("is behind"));
 }
 
 TEST(DiagnosticsOf, WarnsWhileTheRobotIsNotFoundInTheOldMap) {

@@ -151,6 +151,10 @@ TEST(Parameters, ThatMakeNoSenseAreErrors) {
               Read({{"exit_on_time_jump", "2"}});
             }),
             "~exit_on_time_jump: expected true or false, found '2'");
+  EXPECT_EQ(MessageOf([] {
+              Read({{"localize", "maybe"}});
+            }),
+            "~localize: expected a value of type bool, found 'maybe'");
 }
 
 }  // namespace

@@ -156,6 +156,18 @@ TEST_F(SlamNodeCoreTest, SavesASessionWhereItIsTold) {
   EXPECT_EQ(session::ReadSession(&file, "session").info.scans, 30);
 }
 
+TEST_F(SlamNodeCoreTest, RefusesAFolderForResultsThatCannotBeWrittenBeforeTheRobotDrives) {
+  gflags::SetCommandLineOption("output_dir", "/proc/x");
+  EXPECT_THAT(MessageOf([&] { Begin(); }), HasSubstr("cannot make the folder '/proc/x'"));
+}
+
+TEST_F(SlamNodeCoreTest, TellsForHowLongNoScanHasCome) {
+  Drive(3);
+  EXPECT_LT(core_->counts().silent_s, 5.0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_GE(core_->counts().silent_s, 0.05);
+}
+
 TEST_F(SlamNodeCoreTest, RefusesToGoOnWithARun) {
   gflags::SetCommandLineOption("resume", "robot.session");
   EXPECT_THAT(MessageOf([&] { Begin(); }), HasSubstr("--resume: expected none"));

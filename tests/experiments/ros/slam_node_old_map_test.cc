@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -75,6 +76,14 @@ TEST_F(OldMapTest, IsShownAsItIsWhileTheRobotIsLocalizedInIt) {
     EXPECT_TRUE(snapshot.cells == snapshots[before].cells);
   }
   EXPECT_GT(snapshots.back().map_T_nodes.size(), snapshots[before].map_T_nodes.size());
+}
+
+TEST_F(OldMapTest, IsShownBeforeTheFirstScan) {
+  MakeOldMap();
+  const std::size_t before = listener_.snapshots().size();
+  Begin();
+  ASSERT_TRUE(WaitUntil([&] { return listener_.snapshots().size() > before; }));
+  EXPECT_GT(std::ranges::count(listener_.snapshots().back().cells, 100), 100);
 }
 
 TEST_F(OldMapTest, IsNeededToLocalize) {

@@ -4,6 +4,7 @@
 leaves pictures there to look at."""
 import os
 import pathlib
+import subprocess
 import time
 import unittest
 
@@ -57,6 +58,20 @@ class ViewPageTest(view_fixture.ViewTestCase):
         others = [entry for entry in self.browser.log("browser")
                   if "ERR_CONNECTION_REFUSED" not in entry["message"]]
         self.assertEqual(others, [])
+
+    def test_robot_that_is_not_found_in_an_old_map_is_said_to_be_looked_for(self):
+        elsewhere = self.folder / "elsewhere"
+        for words in (["simulate", f"--world={view_fixture.WORLDS / 'empty_hall.yaml'}", "--angular_resolution=2"],
+                      ["gmapping_spa", f"--log={elsewhere / 'log.clf'}", f"--save_session={elsewhere / 'hall'}"]):
+            subprocess.run([view_fixture.BINARIES / words[0], *words[1:], f"--output_dir={elsewhere}"],
+                           check=True, capture_output=True)
+        self.begin("--view_keep", f"--map_session={elsewhere / 'hall'}")
+        badge = "document.querySelector('.pane .badge').textContent"
+        self.browser.wait_for(f"{badge} === 'not found in the old map yet'")
+        self.picture("not_found")
+        self.finish()
+        self.browser.wait_for(f"{badge} === ''")
+        self.expect_silent_console()
 
     def test_map_is_drawn(self):
         self.begin("--view_keep")

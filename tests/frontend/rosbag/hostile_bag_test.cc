@@ -159,6 +159,20 @@ TEST_F(HostileBagTest, LoopOfTransformsIsNamed) {
   EXPECT_EQ(ReadAll(path, {.robot_T_laser = backend::SE2{}}).scans.size(), 1u);
 }
 
+TEST_F(HostileBagTest, TransformOfAFrameToItselfIsLeftOut) {
+  SmallBag bag(folder_.Path("log"), "mcap");
+  bag.Odometry(kSecond_ns, Planar(0, 0, 0));
+  bag.Tf(kSecond_ns, "base_link", "laser", Planar(0.5, 0, 0));
+  bag.Tf(kSecond_ns, "laser", "laser", Planar(0, 0, 0));
+  bag.Scan(2 * kSecond_ns);
+  const std::string path = bag.Finish();
+  const ReadBag read = ReadAll(path);
+  EXPECT_EQ(read.counts.at("malformed_records"), 1);
+  EXPECT_NEAR(read.scans.at(0).robot_T_laser.x, 0.5, 1e-9);
+  EXPECT_THAT(MessageOf([&] { ReadAll(path, {.bad_record = sensor::BadRecordPolicy::kFail}); }),
+              HasSubstr("found one of 'laser' to itself"));
+}
+
 // As a recorder leaves a bag behind whose battery went flat.
 TEST_F(HostileBagTest, BagThatWasNotClosedIsReadAsFarAsItGoes) {
   const std::string path = Drive("bag", 8000);
