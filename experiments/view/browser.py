@@ -81,6 +81,10 @@ class Browser:
                 raise AssertionError(f"{condition} is not so after {timeout_s} s")
             time.sleep(0.1)
 
+    def wait_for_text(self, element_id, part):
+        """Pages draw what they are told with their next frame."""
+        self.wait_for(f"document.getElementById('{element_id}').textContent.includes('{part}')")
+
     def click(self, selector):
         element = self.call("/element", {"using": "css selector", "value": selector})
         self.call(f"/element/{next(iter(element.values()))}/click", {})

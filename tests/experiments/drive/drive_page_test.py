@@ -165,7 +165,7 @@ class DrivePageTest(drive_fixture.DriveTestCase):
                 break
         self.browser.press(" ")
         self.browser.wait_for(f"{APP}.runs.size === 3 && {APP}.runs.get(2).frame")
-        self.assertIn("none, 30 particles", self.text("#variants"))
+        self.browser.wait_for_text("variants", "none, 30 particles")
         self.browser.wait_for(f"{APP}.variants.every(({{iou}}) => iou !== null)")
         self.browser.wait_for(f"[1, 2].every((run) => {APP}.charts.rows.get(run)?.length > 0)")
         self.assertEqual(self.text("#chart_lines"),
@@ -216,7 +216,7 @@ class DrivePageTest(drive_fixture.DriveTestCase):
         self.expect_silent_console()
         self.program.end()
         self.browser.wait_for(f"{APP}.connection_state === 'lost'")
-        self.assertIn("connection lost", self.text("#status"))
+        self.browser.wait_for_text("status", "connection lost")
         self.browser.run("document.getElementById('noise').focus()")
         self.browser.press(RIGHT)  # which nobody hears
         self.start("--speed=5", port=self.program.port, output="again")

@@ -94,7 +94,7 @@ class ViewPageTest(view_fixture.ViewTestCase):
     def test_keys_pause_step_and_go_on(self):
         self.begin_paused()
         held = self.scans()
-        self.assertIn("paused", self.text("#status"))
+        self.browser.wait_for_text("status", "paused")
         time.sleep(0.5)
         self.assertEqual(self.scans(), held)
         for step in (1, 2):
@@ -158,7 +158,7 @@ class ViewPageTest(view_fixture.ViewTestCase):
         self.expect_silent_console()
         self.program.end()
         self.browser.wait_for(f"{VIEW}.connection_state === 'lost'")
-        self.assertIn("connection lost", self.text("#status"))
+        self.browser.wait_for_text("status", "connection lost")
         self.assertEqual(self.scans(), held)  # what was received is kept
         # Without --view_keep the connection may be gone before anybody has seen that the run has finished.
         self.start("--view_keep", port=self.program.port, output="again")
