@@ -57,7 +57,7 @@ class SlidingMap {
   // The part of the map in use that a search knows.
   struct Surroundings {
     backend::SE2 center;
-    double reach_m = 0.0;
+    double reach_m;  // without a default, which Clang knows too late for std::optional
 
     template <typename Archive>
     void serialize(Archive& archive) {

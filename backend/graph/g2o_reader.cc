@@ -2,6 +2,7 @@
 #include "backend/graph/g2o_reader.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cstdlib>
 #include <limits>

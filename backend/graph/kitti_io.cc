@@ -2,6 +2,7 @@
 #include "backend/graph/kitti_io.h"
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <cmath>
 #include <stdexcept>
 

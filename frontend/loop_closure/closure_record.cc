@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/loop_closure/closure_record.h"
 
+#include <Eigen/LU>
+
 #include "backend/enum_names.h"
 
 namespace gmapping_spa::loop_closure {

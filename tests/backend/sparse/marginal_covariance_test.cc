@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "backend/sparse/graph_structure.h"
 #include "tests/backend/random_graph.h"
 #include "tests/backend/sparse/dense.h"
