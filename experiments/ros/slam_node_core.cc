@@ -11,13 +11,11 @@
 
 #include "backend/se2.h"
 #include "experiments/apps/health_record.h"
+#include "experiments/ros/live_reader.h"
 #include "experiments/ros/live_source.h"
 #include "experiments/ros/node_flags.h"
 #include "experiments/ros/node_slam.h"
-#include "frontend/rosbag/bag_reader.h"
-#include "frontend/sensor/log_pipeline.h"
-#include "frontend/sensor/log_validator.h"
-#include "frontend/sensor/time_ordered_reader.h"
+#include "frontend/rosbag/ros_messages.h"
 
 namespace gmapping_spa::ros {
 namespace {
@@ -27,32 +25,11 @@ using backend::SE2;
 constexpr std::int64_t kJump_ns = 1'000'000'000;  // farther back than clocks are corrected
 constexpr std::chrono::seconds kGrace(10);
 
-// As bags are read, but for the rules that hold back 200 scans (frontend/sensor/beam_filter.h).
-std::unique_ptr<sensor::LogReader> ReaderOf(std::unique_ptr<rosbag::MessageSource> source) {
-  const sensor::LogOptions options = LogOptionsOfNode();
-  auto records = std::make_unique<rosbag::BagReader>(std::move(source), "live", options,
-                                                     std::make_shared<rosbag::BagReport>());
-  sensor::TimeOrderedReader ordered(std::move(records), "live", options);
-  return std::make_unique<sensor::LogValidator>(std::move(ordered), "live", options);
-}
-
 std::string OdomFrame() {
   const std::string frame = LogOptionsOfNode().odom_frame;
   if (frame.empty()) throw std::runtime_error("--odom_frame: expected the frame of the odometry");
   return frame.front() == '/' ? frame.substr(1) : frame;
 }
-
-// A reader owns its source.
-class SharedSource : public rosbag::MessageSource {
- public:
-  explicit SharedSource(LiveSource* source) : source_(source) {}
-  const rosbag::BagContents& contents() const override { return source_->contents(); }
-  void Select(const std::vector<bool>& wanted) override { source_->Select(wanted); }
-  std::optional<rosbag::BagMessage> Next() override { return source_->Next(); }
-
- private:
-  LiveSource* source_;
-};
 
 class Core : public SlamNodeCore {
  public:
@@ -108,7 +85,7 @@ Core::Core(const NodeOptions& options, rosbag::Encoding encoding, NodeOutput* ou
       odom_frame_(OdomFrame()),
       output_(output),
       source_(encoding, static_cast<std::size_t>(options.queue_limit_mb * 1e6)),
-      reader_(ReaderOf(std::make_unique<SharedSource>(&source_))),
+      reader_(MakeLiveReader(&source_)),
       slam_(options.map_update_interval_s, options.minimum_score),
       has_old_map_(slam_.has_old_map()),
       thread_([this] { Work(); }) {}
@@ -157,8 +134,8 @@ void Core::TakeTf(std::string_view data, std::int64_t time_ns) {
 void Core::CountLost(std::int64_t scans) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (counts_.lost == 0) {
-    output_->Say(Severity::kWarning, "scans were lost on the way to this node: their numbers " +
-                                         std::string("have gaps"));
+    output_->Say(Severity::kWarning,
+                 "scans were lost on the way to this node: their numbers have gaps");
   }
   counts_.lost += scans;
 }

@@ -21,9 +21,10 @@ DATA = pathlib.Path(os.environ.get("GMAPPING_SPA_DATA", DEFAULT_DATA))
 BAG = DATA / "rosbag/aces.orig.bag"
 PLAYER = "/usr/lib/rosbag/play"
 SECONDS = 150  # of the bag
-RATE = 30  # times the speed of the robot
+RATE = 5  # times the speed of the robot
 NODE = "/slam_gmapping"
-# Messages of two topics come in another order than they were recorded in.
+# Messages of two topics come in another order than they were recorded in: of as many seconds of the bag as
+# a busy machine keeps one of them waiting, times RATE.
 FLAGS = ["--reorder_window_s=10", "--base_frame=base_link", "--odom_frame=odom"]
 
 
