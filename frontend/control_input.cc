@@ -41,6 +41,7 @@ ScanMotion ControlInput::AddScan(const sensor::LaserScan& scan) {
     return AsLogged(scan);
   }
   ScanMotion motion = lidar_odometry_.MatchScan(scan, wheels);
+  LearnScale(wheels, motion, scan.stamp_s);
   ReportSweep(scan);
   if (options_.source == OdometrySource::kWheel) {
     if (motion.wheels_rejected || motion.wheels_silent) {
@@ -67,6 +68,23 @@ ScanMotion ControlInput::AsLogged(const sensor::LaserScan& scan) {
   if (odom_T_previous_) motion.motion = Between(*odom_T_previous_, scan.odom_T_robot);
   odom_T_previous_ = scan.odom_T_robot;
   return motion;
+}
+
+void ControlInput::LearnScale(const OdometryCheck::Step& wheels, const ScanMotion& motion,
+                              double stamp_s) {
+  if (!wheels.told || !motion.matched || !motion.alternatives.empty()) {
+    odometry_scale_.Skip();
+    return;
+  }
+  if (!odometry_scale_.Add(*wheels.told, motion.motion)) return;
+  const double factor = odometry_scale_.factor();
+  check_.set_way_factor(factor);
+  const std::string unit = odometry_scale_.unit();
+  health_->Report("odometry_scaled", stamp_s,
+                  "the odometry tells ways " + backend::FixedText(1.0 / factor, 2) +
+                      " times as long as the scans show" +
+                      (unit.empty() ? "" : ", as in " + unit + " instead of meters") +
+                      "; that is corrected from here on");
 }
 
 void ControlInput::ReportFault(const OdometryCheck::Step& wheels, double stamp_s) {

@@ -9,6 +9,7 @@
 
 #include "frontend/health.h"
 #include "frontend/lidar_odometry.h"
+#include "frontend/odometry_scale.h"
 #include "frontend/sensor/laser_scan.h"
 #include "frontend/sensor/odometry_check.h"
 #include "frontend/stand_still.h"
@@ -46,11 +47,14 @@ class ControlInput {
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(check_, lidar_odometry_, odom_T_previous_, stand_still_, has_reported_sweep_,
-            has_contradicted_sweep_, has_reported_calibration_, has_seen_, blind_stamps_s_);
+            odometry_scale_, has_contradicted_sweep_, has_reported_calibration_, has_seen_,
+            blind_stamps_s_);
   }
 
  private:
   ScanMotion AsLogged(const sensor::LaserScan& scan);
+  void LearnScale(const sensor::OdometryCheck::Step& wheels, const ScanMotion& motion,
+                  double stamp_s);
   void ReportFault(const sensor::OdometryCheck::Step& wheels, double stamp_s);
   void ReportBlind(const sensor::LaserScan& scan);
   void ReportSweep(const sensor::LaserScan& scan);
@@ -63,6 +67,7 @@ class ControlInput {
   Options options_;
   Health* health_;
   sensor::OdometryCheck check_;
+  OdometryScale odometry_scale_;
   LidarOdometry lidar_odometry_;
   std::optional<backend::SE2> odom_T_previous_;  // of kRaw: what the log last said
   StandStill stand_still_;                       // of kRaw

@@ -116,6 +116,12 @@ def scale(log, rng, size):
 
 
 @stress
+def feet(log, rng, size):
+    """distances are in feet instead of meters (of size 304.8: in millimeters)"""
+    _with_steps(log, lambda steps: steps * [size / 0.3048, size / 0.3048, 1.0])
+
+
+@stress
 def noisy(log, rng, size):
     """each step of the wheels has noise of 20 % of its length, and of its turn"""
     def change(steps):

@@ -106,18 +106,19 @@ OdometryCheck::Step OdometryCheck::Check(const LaserScan& scan) {
 OdometryCheck::Step OdometryCheck::Judge(const LaserScan& scan, double elapsed_s,
                                          bool repeated) const {
   if (!scan.has_odometry || !previous_->has_odometry) return {{}, OdometryFault::kMissing};
-  if (scan.odom_T_robot == previous_->odom_T_robot) return {{}, OdometryFault::kUnchanged};
-  const SE2 motion = backend::Between(previous_->odom_T_robot, scan.odom_T_robot);
-  if (!motion.IsFinite()) return {{}, OdometryFault::kImpossible};
+  if (scan.odom_T_robot == previous_->odom_T_robot) return {{}, OdometryFault::kUnchanged, SE2{}};
+  const SE2 told = backend::Between(previous_->odom_T_robot, scan.odom_T_robot);
+  if (!told.IsFinite()) return {{}, OdometryFault::kImpossible};
+  const SE2 motion{way_factor_ * told.x, way_factor_ * told.y, told.theta};
   if (IsRestart(scan.odom_T_robot, motion, elapsed_s)) return {{}, OdometryFault::kRestart};
   if (Exceeds(motion, std::max(kAllowanceM, options_.max_speed_m_s * elapsed_s),
               std::max(kAllowanceRad, options_.max_turn_rad_s * elapsed_s))) {
-    return {{}, OdometryFault::kImpossible};
+    return {{}, OdometryFault::kImpossible, told};
   }
   if (repeated && Exceeds(motion, kMovedM, kMovedRad)) {
-    return {motion, OdometryFault::kRepeatedScan};
+    return {motion, OdometryFault::kRepeatedScan, told};
   }
-  return {motion, OdometryFault::kNone};
+  return {motion, OdometryFault::kNone, told};
 }
 
 double OdometryCheck::ElapsedTime(double stamp_s) const {

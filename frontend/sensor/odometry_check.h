@@ -47,17 +47,22 @@ class OdometryCheck {
     // that nothing is known: kFirst, kImpossible, kRestart, kMissing.
     backend::SE2 motion;
     OdometryFault fault = OdometryFault::kNone;
+    // The same as the log tells it, possible or not; nothing where it does not, or at a restart.
+    std::optional<backend::SE2> told = std::nullopt;
   };
 
   explicit OdometryCheck(const Options& options);
 
   Step Check(const LaserScan& scan);
 
+  // Ways of the odometry are multiplied by it before they are judged.
+  void set_way_factor(double factor) { way_factor_ = factor; }
+
   // For sessions (frontend/session).
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(previous_, first_odom_T_robot_, previous_beams_, usual_period_s_, num_steps_,
-            usual_speed_m_s_, usual_turn_rad_s_);
+            usual_speed_m_s_, usual_turn_rad_s_, way_factor_);
   }
 
  private:
@@ -89,6 +94,7 @@ class OdometryCheck {
   double num_steps_ = 0.0;       // of time in that mean
   double usual_speed_m_s_;       // the fastest that was possible so far
   double usual_turn_rad_s_;
+  double way_factor_ = 1.0;
 };
 
 }  // namespace gmapping_spa::sensor

@@ -87,6 +87,27 @@ TEST_F(ControlInputInARoom, SaysOnceThatTurnsAreCorrected) {
               testing::HasSubstr("deg per m driven"));
 }
 
+TEST_F(ControlInputInARoom, OdometryInOtherUnitsIsReportedOnceAndCorrected) {
+  for (const OdometrySource source : {OdometrySource::kWheel, OdometrySource::kLidar}) {
+    health_ = {};
+    Start(source);
+    step_ = 0;
+    world_T_estimate_ = OnRound(0);
+    SE2 halfway;
+    for (int k = 0; k <= 160; ++k) {
+      sensor::LaserScan scan = ScanAt(k);
+      scan.odom_T_robot.x /= 0.001;
+      scan.odom_T_robot.y /= 0.001;
+      Take(scan);
+      if (k == 80) halfway = world_T_estimate_;
+    }
+    EXPECT_EQ(health_.findings().at("odometry_scaled").count, 1);
+    EXPECT_THAT(health_.findings().at("odometry_scaled").message,
+                testing::HasSubstr("1000.00 times as long as the scans show, as in millimeters"));
+    ExpectNear(Between(halfway, world_T_estimate_), Between(OnRound(80), OnRound(160)), 0.03, 0.02);
+  }
+}
+
 TEST_F(ControlInputInARoom, AContradictionIsReported) {
   Start(OdometrySource::kLidar);
   DriveUpTo(40);

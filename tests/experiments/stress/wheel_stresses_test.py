@@ -9,7 +9,7 @@ import poses
 import registry
 
 KINDS = ["yawjump", "jump", "silent", "late", "reset", "encoder_wrap", "first_garbage", "drop",
-         "scale", "noisy", "wheel_bias", "yaw_drift"]
+         "scale", "feet", "noisy", "wheel_bias", "yaw_drift"]
 
 
 class WheelStressesTest(stress_test_case.StressTestCase):
@@ -91,6 +91,8 @@ class WheelStressesTest(stress_test_case.StressTestCase):
     def test_scale_and_bias_are_those_of_the_wheels(self):
         steps, true_steps = poses.steps_of(self.odometry("scale")), poses.steps_of(self.true)
         np.testing.assert_allclose(steps, 1.05 * true_steps, atol=1e-9)
+        feet = poses.steps_of(self.odometry("feet"))
+        np.testing.assert_allclose(feet * [0.3048, 0.3048, 1.0], true_steps, atol=1e-9)
         bias = poses.steps_of(self.odometry("wheel_bias")) - true_steps
         right_wheel = true_steps[:, 0] + 0.2 * true_steps[:, 2]
         np.testing.assert_allclose(bias[:, 2], 0.02 * right_wheel / 0.4, atol=1e-9)
