@@ -71,14 +71,15 @@ bool OdometryScale::Learn() {
   const auto agree = std::ranges::count_if(
       sorted, [factor](double log_ratio) { return Ratio(std::exp(log_ratio), factor) < kSame; });
   if (agree < kMostAgree * kStretches) return false;
-  if (Ratio(factor, 1.0) < kGross) factor = 1.0;
+  const bool is_gross = Ratio(factor, factor_) > kGross;
+  if (Ratio(factor, 1.0) < kSame) factor = 1.0;
   for (const Unit& unit : kUnits) {
     if (Ratio(factor, unit.meters) < kIsUnit) factor = unit.meters;
   }
   // At first, scans may still be matched where the odometry wants them: then it is not quite a
   // unit.
   const bool is_clearer = UnitOf(factor) && factor_ != 1.0 && !UnitOf(factor_);
-  if (Ratio(factor, factor_) < kGross && !is_clearer) return false;
+  if (!is_gross && !is_clearer) return false;
   factor_ = factor;
   log_ratios_.clear();
   return true;
