@@ -122,16 +122,25 @@ class BagFolder : public MessageSource {
         found->messages += topic.messages;
       }
     }
-    const bool is_first = files_.empty();
     contents_.format = part.format.substr(0, part.format.find(','));
-    contents_.first_ns = is_first ? part.first_ns : std::min(contents_.first_ns, part.first_ns);
-    contents_.last_ns = is_first ? part.last_ns : std::max(contents_.last_ns, part.last_ns);
+    AddTimes(part);
     contents_.unclosed = contents_.unclosed || part.unclosed;
     contents_.cut_off_bytes += part.cut_off_bytes;
     files_.push_back(std::move(file));
   }
 
+  void AddTimes(const BagContents& part) {
+    // A recorder that was stopped when it had just begun a file leaves it without messages.
+    if (std::ranges::none_of(part.topics, [](const auto& topic) { return topic.messages > 0; })) {
+      return;
+    }
+    contents_.first_ns = has_times_ ? std::min(contents_.first_ns, part.first_ns) : part.first_ns;
+    contents_.last_ns = has_times_ ? std::max(contents_.last_ns, part.last_ns) : part.last_ns;
+    has_times_ = true;
+  }
+
   BagContents contents_;
+  bool has_times_ = false;
   std::vector<File> files_;
   std::vector<bool> wanted_;
   std::size_t next_file_ = 0;

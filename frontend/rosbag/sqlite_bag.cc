@@ -37,8 +37,9 @@ class Database {
     // written, so that read-only folders will do.
     std::error_code ignored;
     const bool has_log = std::filesystem::exists(path + "-wal", ignored);
-    const std::string uri =
-        "file:" + Escaped(path) + (has_log ? "?mode=ro" : "?mode=ro&immutable=1");
+    // What follows two slashes alone would be the name of a machine.
+    const std::string uri = (path.starts_with('/') ? "file://" : "file:") + Escaped(path) +
+                            (has_log ? "?mode=ro" : "?mode=ro&immutable=1");
     sqlite3* opened = nullptr;
     const int status =
         sqlite3_open_v2(uri.c_str(), &opened, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);

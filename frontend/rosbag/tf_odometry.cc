@@ -14,7 +14,7 @@ bool TfOdometry::Is(const TransformMessage& transform) {
     const bool is_odom =
         odom_frame_.empty() ? parent.find("odom") != std::string::npos : parent == odom_frame_;
     // Some localizations tell the map below the odometry.
-    if (!is_odom || child == "map") return false;
+    if (!is_odom || child == "map" || child.ends_with("/map")) return false;
     parent_ = parent;
     child_ = child;
   }

@@ -77,7 +77,6 @@ class Chooser {
     }
   }
 
- private:
   std::vector<std::size_t> Named(const std::vector<std::size_t>& topics,
                                  std::string_view name) const {
     std::vector<std::size_t> named;
@@ -87,6 +86,7 @@ class Chooser {
     return named;
   }
 
+ private:
   const BagContents& contents_;
   const std::string& name_;
 };
@@ -125,14 +125,11 @@ TopicChoice ChooseTopics(const BagContents& contents, const std::string& name,
   use(tf);
   choice.has_tf = !tf.empty();
   const std::vector<std::size_t> odometry = chooser.TopicsOf({MessageType::kOdometry});
-  choice.odometry_from_tf =
-      choice.has_tf &&
-      (odometry.empty() || std::ranges::any_of(tf, [&](std::size_t topic) {
-         return !options.odometry_topic.empty() &&
-                WithoutSlash(contents.topics[topic].name) == WithoutSlash(options.odometry_topic);
-       }));
+  const std::string& asked = options.odometry_topic;
+  choice.odometry_from_tf = asked.empty() ? choice.has_tf && odometry.empty()
+                                          : !chooser.Named(tf, WithoutSlash(asked)).empty();
   if (!choice.odometry_from_tf) {
-    use(chooser.Choose(odometry, options.odometry_topic, "odom", "odometry_topic", "odometry",
+    use(chooser.Choose(odometry, asked, "odom", "odometry_topic", "odometry",
                        &choice.odometry_topics));
   }
   return choice;

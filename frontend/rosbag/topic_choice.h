@@ -24,8 +24,9 @@ struct TopicChoice {
 // Topics are found by their type. Of several with scans (or odometry) it is the one that the
 // options name, else /scan (/odom), which is as good a guess as any and is counted. Without
 // odometry, or where the options name a topic of transforms for it, it comes from tf. Throws
-// std::runtime_error with one line where there are no scans, several and none of them /scan, or a
-// topic that would be read is of another definition or encoding. `name` stands for the bag.
+// std::runtime_error with one line where there are no scans, several and none of them /scan, not
+// the topic that the options name, or a topic that would be read is of another definition or
+// encoding. `name` stands for the bag.
 TopicChoice ChooseTopics(const BagContents& contents, const std::string& name,
                          const sensor::LogOptions& options);
 

@@ -3,13 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <memory>
 #include <optional>
 #include <semaphore>
-#include <stdexcept>
 #include <thread>
-#include <utility>
+
+#include "tests/frontend/gated_back_end.h"
 
 namespace gmapping_spa::frontend {
 namespace {
@@ -17,55 +15,6 @@ namespace {
 using backend::PoseGraph;
 using backend::Summary;
 using backend::Termination;
-
-Summary Ended(Termination termination) {
-  Summary summary;
-  summary.termination = termination;
-  return summary;
-}
-
-// A back end that works for as long as the test wants: each call waits for one Allow(), then moves
-// node 0 by a metre.
-class Backend {
- public:
-  GraphThread::OptimizeFunction Function() const {
-    return [state = state_](PoseGraph* graph) {
-      state->allowed.acquire();
-      graph->nodes.at(0).world_T_node.x += 1.0;
-      return Ended(Termination::kConverged);
-    };
-  }
-  void Allow(int calls = 1) const { state_->allowed.release(calls); }
-
- private:
-  struct State {
-    std::counting_semaphore<> allowed{0};
-  };
-  std::shared_ptr<State> state_ = std::make_shared<State>();
-};
-
-PoseGraph GraphAt(double x) { return {.nodes = {{.world_T_node = {x, 0, 0}}}, .edges = {}}; }
-
-double XOf(const PoseGraph& graph) { return graph.nodes.at(0).world_T_node.x; }
-
-GraphThread::Options Lockstep(int scans, double timeout_s = 60.0) {
-  return {GraphThread::Mode::kLockstep, scans, timeout_s};
-}
-
-std::int64_t CountOf(const Health& health, const char* kind) {
-  const auto found = health.findings().find(kind);
-  return found == health.findings().end() ? 0 : found->second.count;
-}
-
-// Tries until a result comes, for five seconds at most.
-std::optional<PoseGraph> TryUntilTaken(GraphThread* thread) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
-  while (std::chrono::steady_clock::now() < deadline) {
-    if (auto graph = thread->TakeIfDue(0.0)) return graph;
-    std::this_thread::yield();
-  }
-  return std::nullopt;
-}
 
 class GraphThreadTest : public testing::Test {
  protected:
@@ -93,7 +42,7 @@ TEST_F(GraphThreadTest, LockstepTakesTheResultAtTheNthScanThoughItWasThereBefore
 }
 
 TEST_F(GraphThreadTest, LockstepWaitsAtTheNthScanForASlowBackEnd) {
-  const Backend backend;
+  const GatedBackEnd backend;
   GraphThread thread(Lockstep(3), &health_, backend.Function());
   thread.Start(GraphAt(10));
   EXPECT_FALSE(thread.TakeIfDue(0.0));
@@ -106,7 +55,7 @@ TEST_F(GraphThreadTest, LockstepWaitsAtTheNthScanForASlowBackEnd) {
 }
 
 TEST_F(GraphThreadTest, LockstepCountsFromTheLatestStart) {
-  const Backend backend;
+  const GatedBackEnd backend;
   backend.Allow(3);
   GraphThread thread(Lockstep(2), &health_, backend.Function());
   for (int round = 0; round < 3; ++round) {
@@ -122,7 +71,7 @@ TEST_F(GraphThreadTest, LockstepCountsFromTheLatestStart) {
 }
 
 TEST_F(GraphThreadTest, InlineWaitsAtTheNextScan) {
-  const Backend backend;
+  const GatedBackEnd backend;
   GraphThread thread({GraphThread::Mode::kInline, 10, 60.0}, &health_, backend.Function());
   thread.Start(GraphAt(10));
   const std::jthread allow([&backend] { backend.Allow(); });
@@ -132,7 +81,7 @@ TEST_F(GraphThreadTest, InlineWaitsAtTheNextScan) {
 }
 
 TEST_F(GraphThreadTest, AsyncDoesNotWaitAndTakesTheResultWhenItIsThere) {
-  const Backend backend;
+  const GatedBackEnd backend;
   GraphThread thread({GraphThread::Mode::kAsync, 2, 60.0}, &health_, backend.Function());
   thread.Start(GraphAt(10));
   for (int scan = 0; scan < 20; ++scan) EXPECT_FALSE(thread.TakeIfDue(0.0));
@@ -144,80 +93,10 @@ TEST_F(GraphThreadTest, AsyncDoesNotWaitAndTakesTheResultWhenItIsThere) {
   EXPECT_EQ(thread.counts().late, 0);
 }
 
-TEST_F(GraphThreadTest, FailureCostsOnlyItsResult) {
-  int calls = 0;
-  GraphThread thread(Lockstep(2), &health_, [&calls](PoseGraph* graph) -> Summary {
-    graph->nodes.at(0).world_T_node.x += 1.0;
-    switch (++calls) {
-      case 1:
-        return Ended(Termination::kFailure);
-      case 2:
-        throw std::runtime_error("out of luck");
-      case 3:
-        throw 42;
-      default:
-        return Ended(Termination::kNoConvergence);  // better than nothing
-    }
-  });
-  for (int failures = 1; failures <= 3; ++failures) {
-    thread.Start(GraphAt(10));
-    EXPECT_FALSE(thread.TakeIfDue(0.0));
-    EXPECT_FALSE(thread.TakeIfDue(0.0));
-    EXPECT_FALSE(thread.busy());
-    EXPECT_EQ(thread.counts().failed, failures);
-  }
-  thread.Start(GraphAt(10));
-  EXPECT_FALSE(thread.TakeIfDue(0.0));
-  const std::optional<PoseGraph> taken = thread.TakeIfDue(0.0);
-  ASSERT_TRUE(taken);
-  EXPECT_EQ(XOf(*taken), 11);
-  EXPECT_EQ(thread.counts().started, 4);
-  EXPECT_EQ(thread.counts().taken, 1);
-  EXPECT_EQ(thread.counts().failed, 3);
-  EXPECT_EQ(CountOf(health_, "backend_failed"), 3);
-  EXPECT_EQ(CountOf(health_, "backend_not_converged"), 1);
-}
-
-TEST_F(GraphThreadTest, GoesOnWithoutABackEndThatHangsAndTakesItsResultWhenItComes) {
-  for (const GraphThread::Mode mode : {GraphThread::Mode::kLockstep, GraphThread::Mode::kInline}) {
-    const Backend backend;
-    Health health;
-    GraphThread thread({mode, 1, 0.005}, &health, backend.Function());
-    thread.Start(GraphAt(10));
-    for (int scan = 0; scan < 10; ++scan) EXPECT_FALSE(thread.TakeIfDue(0.0));
-    EXPECT_TRUE(thread.busy());
-    EXPECT_EQ(thread.counts().late, 1);
-    EXPECT_EQ(CountOf(health, "backend_late"), 1);
-    backend.Allow();
-    const std::optional<PoseGraph> taken = TryUntilTaken(&thread);
-    ASSERT_TRUE(taken);
-    EXPECT_EQ(XOf(*taken), 11);
-    EXPECT_EQ(thread.counts().taken, 1);
-    EXPECT_EQ(thread.counts().failed, 0);
-
-    // The next one has its full time again.
-    thread.Start(GraphAt(20));
-    backend.Allow();
-    EXPECT_TRUE(TryUntilTaken(&thread));
-  }
-}
-
-TEST_F(GraphThreadTest, WaitsForABackEndThatHangsOnlyOnce) {
-  const Backend backend;
-  GraphThread thread(Lockstep(1, 0.1), &health_, backend.Function());
-  thread.Start(GraphAt(10));
-  const auto start = std::chrono::steady_clock::now();
-  EXPECT_FALSE(thread.TakeIfDue(0.0));
-  EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(100));
-  for (int scan = 0; scan < 50; ++scan) EXPECT_FALSE(thread.TakeIfDue(0.0));
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2));
-  backend.Allow();
-}
-
 TEST_F(GraphThreadTest, TimeoutOfZeroTakesWhatIsThere) {
   for (const GraphThread::Mode mode :
        {GraphThread::Mode::kLockstep, GraphThread::Mode::kInline, GraphThread::Mode::kAsync}) {
-    const Backend backend;
+    const GatedBackEnd backend;
     backend.Allow();
     GraphThread thread({mode, 2, 0.0}, &health_, backend.Function());
     thread.Start(GraphAt(10));
@@ -226,7 +105,7 @@ TEST_F(GraphThreadTest, TimeoutOfZeroTakesWhatIsThere) {
 }
 
 TEST_F(GraphThreadTest, FinishTakesWhatRunsBeforeItIsDue) {
-  const Backend backend;
+  const GatedBackEnd backend;
   backend.Allow();
   GraphThread thread(Lockstep(100), &health_, backend.Function());
   EXPECT_FALSE(thread.Finish()) << "nothing was started";
@@ -237,19 +116,8 @@ TEST_F(GraphThreadTest, FinishTakesWhatRunsBeforeItIsDue) {
   EXPECT_FALSE(thread.Finish());
 }
 
-TEST_F(GraphThreadTest, FinishGivesUpOnABackEndThatHangs) {
-  const Backend backend;
-  GraphThread thread(Lockstep(100, 0.005), &health_, backend.Function());
-  thread.Start(GraphAt(10));
-  EXPECT_FALSE(thread.Finish());
-  EXPECT_TRUE(thread.busy());
-  EXPECT_EQ(thread.counts().taken, 0);
-  EXPECT_EQ(thread.counts().failed, 0);
-  backend.Allow();
-}
-
 TEST_F(GraphThreadTest, RunWaitsForTheResult) {
-  const Backend backend;
+  const GatedBackEnd backend;
   backend.Allow(2);
   GraphThread thread(Lockstep(100), &health_, backend.Function());
   for (int run = 0; run < 2; ++run) {
@@ -272,38 +140,6 @@ TEST_F(GraphThreadTest, TellsTheCostOfTheLatestResultTaken) {
   EXPECT_EQ(thread.latest_cost(), 3.0);
   thread.Run(GraphAt(-1.0));
   EXPECT_EQ(thread.latest_cost(), 3.0);
-}
-
-TEST_F(GraphThreadTest, RunGivesNothingWhileTheBackEndHangs) {
-  const Backend backend;
-  GraphThread thread(Lockstep(1, 0.005), &health_, backend.Function());
-  thread.Start(GraphAt(10));
-  EXPECT_FALSE(thread.Run(GraphAt(20)));
-  EXPECT_EQ(thread.counts().started, 1);
-  EXPECT_EQ(CountOf(health_, "backend_busy"), 1);
-  backend.Allow();
-}
-
-TEST_F(GraphThreadTest, ReportsWithTheStampOfTheLatestScan) {
-  GraphThread thread(Lockstep(1), &health_, [](PoseGraph*) { return Summary{}; });
-  for (const double stamp_s : {12.5, 13.5}) {
-    thread.Start(GraphAt(10));
-    EXPECT_FALSE(thread.TakeIfDue(stamp_s));
-  }
-  EXPECT_FALSE(thread.Run(GraphAt(10)));
-  const Finding& failed = health_.findings().at("backend_failed");
-  EXPECT_EQ(failed.count, 3);
-  EXPECT_EQ(failed.first_stamp_s, 12.5);
-  EXPECT_EQ(failed.last_stamp_s, 13.5);
-}
-
-TEST_F(GraphThreadTest, ABackEndThatConvergesIsNothingToReport) {
-  const Backend backend;
-  backend.Allow();
-  GraphThread thread(Lockstep(1), &health_, backend.Function());
-  thread.Start(GraphAt(10));
-  EXPECT_TRUE(thread.TakeIfDue(0.0));
-  EXPECT_TRUE(health_.findings().empty());
 }
 
 }  // namespace
