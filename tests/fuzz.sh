@@ -15,7 +15,7 @@ readers=("$@")
 [[ ${#readers[@]} -gt 0 ]] || readers=($(basename -s _fuzz.cc -a tests/fuzz/*_fuzz.cc))
 
 cmake --preset fuzz >/dev/null
-cmake --build --preset fuzz
+cmake --build --preset fuzz --target "${readers[@]/%/_fuzz}"
 export TMPDIR=${TMPDIR:-/tmp}
 [[ -w /dev/shm ]] && TMPDIR=/dev/shm  # readers that want a path get a file for each input
 export UBSAN_OPTIONS=print_stacktrace=1

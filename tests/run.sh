@@ -3,7 +3,7 @@
 # Installs what is missing, builds, and runs every test.
 #   tests/run.sh          the format, a sample of clang-tidy, the release build and all tests; then the
 #                         sanitizers: short tests with ASan and UBSan, those with threads with TSan; and
-#                         two minutes of fuzzing
+#                         three minutes of fuzzing
 #   tests/run.sh STEP...  only these: format, tidy, docs, fuzz, packages (in a bare Debian, minutes), ros (the
 #                         node for ROS 1 under a roscore), drive (in a browser, minutes), or a preset: release, dev, asan, tsan
 # Tests on real logs find them in $GMAPPING_SPA_DATA or ../shared/data, and are skipped elsewhere.
@@ -22,7 +22,7 @@ for step in "${steps[@]}"; do
     tidy) tests/check_tidy.sh ;;
     fuzz)
       experiments/install_packages.sh fuzz
-      tests/fuzz.sh 12  # each reader
+      tests/fuzz.sh 8  # each reader
       ;;
     packages)
       experiments/install_packages.sh packages

@@ -15,6 +15,8 @@ constexpr std::int64_t kOrderingProductsPerColumn = 150;
 constexpr std::int64_t kDissectionProductsPerColumn = 300;
 // From this many on, the factor does not fit into the caches of a processor.
 constexpr std::int64_t kFrontsProducts = 50'000'000;
+// Days of work; multiplied by the columns of any graph that fits into memory it does not overflow.
+constexpr std::int64_t kMostProducts = 1'000'000'000'000;
 
 template <typename T>
 bool IsPrefix(const std::vector<T>& prefix, const std::vector<T>& whole) {
@@ -107,6 +109,11 @@ void GraphStructure::Load(backend::PacketReader* packet) {
   const auto is_node = [this](int node) {
     return node >= 0 && node < static_cast<int>(index_.fixed.size());
   };
+  const auto is_count = [](std::int64_t count) { return count >= 0 && count <= kMostProducts; };
+  if (ordered_columns_ < 0 || ordered_columns_ > static_cast<int>(free.size()) ||
+      !is_count(ordered_products_) || !is_count(excess_products_)) {
+    throw backend::MalformedPacket("what an ordering of another graph takes");
+  }
   std::vector<int> sorted = order;
   std::ranges::sort(sorted);
   if (sorted != free || !std::ranges::all_of(index_.edges, [&](const backend::EdgeNodes& edge) {

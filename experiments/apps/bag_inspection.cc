@@ -13,7 +13,7 @@ std::string Fixed(const Json& number, int decimals) {
   return backend::FixedText(number.get<double>(), decimals);
 }
 
-std::string Text(const Json& text) { return text.get<std::string>(); }
+std::string Text(const Json& text) { return backend::Printable(text.get<std::string>()); }
 
 }  // namespace
 

@@ -86,7 +86,7 @@ std::string WriteDrive(const SimulationSetup& setup, const drive::DriveSession& 
                        {"slips", summary.slips},
                        {"bumps", summary.bumps},
                        {"variants", variants}};
-  files.Write("drive.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
+  files.Write("drive.json", [&](std::ostream& out) { out << TextOf(record) << '\n'; });
   files.Commit();
   RemoveOtherVariants(results, folder);
   return std::to_string(summary.world_T_robot.size()) + " scans saved in " + folder;

@@ -229,7 +229,7 @@ void Compare(const map::TrinaryMap& map) {
                  {"enclosed_areas", structure.enclosed_areas},
                  {"corners", structure.corners}}}};
   if (!FLAGS_truth.empty()) json.update(AgainstTruth(map));
-  std::cout << json.dump(2) << '\n';
+  std::cout << TextOf(json) << '\n';
 }
 
 void Run() {

@@ -44,7 +44,7 @@ void Run() {
        "Kuemmerle et al. 2009 in the plane: length of the translation and absolute rotation of "
        "inverse(true i_T_j) * estimated i_T_j over the relations used; std is that of the "
        "population"}};
-  std::cout << json.dump(2) << '\n';
+  std::cout << TextOf(json) << '\n';
 }
 
 FlagGroups AllFlagGroups() {

@@ -77,7 +77,7 @@ void Run() {
        "(KITTI) by their number; ate: distances and angles between "
        "poses after the alignment (rigid, without scale); rpe: inverse(true i_T_j) * estimated "
        "i_T_j over consecutive steps without overlap; std is that of the population"}};
-  std::cout << json.dump(2) << '\n';
+  std::cout << TextOf(json) << '\n';
 }
 
 FlagGroups AllFlagGroups() {

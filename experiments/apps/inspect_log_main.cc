@@ -10,6 +10,7 @@
 #include "experiments/apps/inspection_picture.h"
 #include "experiments/apps/inspection_report.h"
 #include "experiments/apps/inspection_text.h"
+#include "experiments/apps/json.h"
 #include "experiments/apps/log_file.h"
 #include "experiments/apps/log_flags.h"
 #include "experiments/apps/log_inspection.h"
@@ -42,7 +43,7 @@ void Run() {
     files->Commit();
   }
   if (FLAGS_json) {
-    std::cout << report.dump(2) << '\n';
+    std::cout << TextOf(report) << '\n';
   } else {
     PrintInspection(FLAGS_log, report, std::cout);
   }

@@ -11,7 +11,6 @@
 #include <iostream>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -32,6 +31,7 @@
 #include "experiments/apps/graph_stamps.h"
 #include "experiments/apps/input_file.h"
 #include "experiments/apps/interruptible.h"
+#include "experiments/apps/json.h"
 #include "experiments/apps/optimization_record.h"
 #include "experiments/apps/output_files.h"
 
@@ -66,7 +66,6 @@ namespace {
 namespace fs = std::filesystem;
 using backend::PoseGraph;
 using backend::Summary;
-using Json = nlohmann::ordered_json;
 
 void ListBackends() {
   for (const backend::BackendDescription& found :
@@ -245,7 +244,7 @@ void Run() {
     record["certificate"] = CertificateRecord(*certified);
     record["certificate"]["cpu_s"] = certificate_cpu_s;
   }
-  std::cout << record.dump(2) << '\n';
+  std::cout << TextOf(record) << '\n';
   if (certified && !certified->proved()) throw NegativeAnswer(certified->message);
 }
 

@@ -152,7 +152,7 @@ bool SlamRun::WriteResults(const std::function<Json()>& input, const sensor::Log
   Json record = WriteEstimate(estimate, input, log_counts, files);
   if (resumed_scans_ > 0) record["resources"]["resumed_after_scans"] = resumed_scans_;
   if (signal != 0) record["interrupted"] = {{"signal", signal}, {"scans", counts().scans}};
-  files->Write("run.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
+  files->Write("run.json", [&](std::ostream& out) { out << TextOf(record) << '\n'; });
   WarnOf(log_counts);
   gmapping_.health().LogSummary();
   return signal == 0;
@@ -165,7 +165,7 @@ void SlamRun::FinishEdited(const Json& input, const Json& edits, int refine, Out
   Json record = WriteEstimate(
       estimate, [&] { return input; }, {}, files);
   record["edits"] = edits;
-  files->Write("run.json", [&](std::ostream& out) { out << record.dump(2) << '\n'; });
+  files->Write("run.json", [&](std::ostream& out) { out << TextOf(record) << '\n'; });
   gmapping_.health().LogSummary();
 }
 

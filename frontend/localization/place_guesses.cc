@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 #include <tuple>
 
 #include "frontend/scan_matching/joined_points.h"
@@ -53,6 +55,11 @@ PlaceGuesses::PlaceGuesses(const Options& options, const map::OccupancyGrid* map
              0.5 * (extent.min.y + extent.max.y) * resolution_m, 0.0};
   reach_m_ =
       0.5 * std::max(extent.max.x - extent.min.x, extent.max.y - extent.min.y) * resolution_m;
+  const double farthest_m = std::abs(middle_.x) + std::abs(middle_.y) + reach_m_;
+  if (farthest_m >= options.cell_m * map::kMaxCellIndex) {
+    throw std::runtime_error("expected a map that is not " + std::to_string(farthest_m) +
+                             " m away from its origin");
+  }
   scan_matching::CorrelativeMatcher::Options search;
   search.field = {.resolution_m = options.cell_m, .sigma_m = options.cell_m};
   search.pyramid_levels = 7;

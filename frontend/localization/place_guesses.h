@@ -43,7 +43,8 @@ class PlaceGuesses {
     friend bool operator==(const Options&, const Options&) = default;
   };
 
-  // `map` stays as it is and outlives this.
+  // `map` stays as it is and outlives this. Throws std::runtime_error where it is farther away from
+  // its origin than a grid covers.
   PlaceGuesses(const Options& options, const map::OccupancyGrid* map);
 
   // The best ones by their evidence first.

@@ -8,6 +8,13 @@
 #include <utility>
 
 namespace gmapping_spa::map {
+namespace {
+
+constexpr int kMaxTile = kMaxCellIndex >> Tile::kShift;
+// So that a robot that drives on does not copy the directory with every scan.
+constexpr int kMargin = 4;
+
+}  // namespace
 
 const Cell OccupancyGrid::kEmptyCell;
 
@@ -76,10 +83,7 @@ void OccupancyGrid::GrowToHold(int tile_x, int tile_y) {
   const bool inside = static_cast<unsigned>(tile_x - first_tile_x_) < tile_columns_ &&
                       static_cast<unsigned>(tile_y - first_tile_y_) < tile_rows_;
   if (inside) return;
-  constexpr int kMaxTile = kMaxCellIndex >> Tile::kShift;
   CHECK(std::abs(tile_x) <= kMaxTile && std::abs(tile_y) <= kMaxTile);
-  // A margin, so that a robot that drives on does not copy the directory with every scan.
-  constexpr int kMargin = 4;
   int min_x = tile_x - kMargin, max_x = tile_x + kMargin + 1;
   int min_y = tile_y - kMargin, max_y = tile_y + kMargin + 1;
   if (!tiles_.empty()) {
@@ -104,6 +108,16 @@ void OccupancyGrid::GrowToHold(int tile_x, int tile_y) {
   first_tile_y_ = min_y;
   tile_columns_ = columns;
   tile_rows_ = rows;
+}
+
+bool OccupancyGrid::HasAllTiles() const {
+  const auto is_within = [](int first, unsigned count) {
+    constexpr int kMost = kMaxTile + kMargin + 1;
+    return first >= -kMost && first <= kMost && count <= static_cast<unsigned>(kMost - first);
+  };
+  return is_within(first_tile_x_, tile_columns_) && is_within(first_tile_y_, tile_rows_) &&
+         (tile_columns_ > 0) == (tile_rows_ > 0) &&
+         tiles_.size() == std::size_t{tile_columns_} * tile_rows_;
 }
 
 OccupancyGrid::Extent OccupancyGrid::KnownExtent() const {

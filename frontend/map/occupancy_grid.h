@@ -97,14 +97,14 @@ class OccupancyGrid {
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(first_tile_x_, first_tile_y_, tile_columns_, tile_rows_, tiles_);
-    if (tiles_.size() != std::size_t{tile_columns_} * tile_rows_) {
-      throw std::runtime_error("a grid without all of its tiles");
-    }
+    if (!HasAllTiles()) throw std::runtime_error("a grid without all of its tiles");
   }
 
  private:
   static const Cell kEmptyCell;
 
+  // Whether there are as many as the rectangle says, and it is one that scans can make.
+  bool HasAllTiles() const;
   // A tile that only this grid owns, made or duplicated if need be.
   Tile& WritableTile(int tile_x, int tile_y);
   void GrowToHold(int tile_x, int tile_y);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "backend/text.h"
 #include "frontend/rosbag/open_bag.h"
 #include "frontend/rosbag/open_source.h"
 
@@ -29,8 +30,9 @@ std::vector<std::string> ListedFiles(const fs::path& metadata) {
     for (const YAML::Node& path : paths) files.push_back(path.as<std::string>());
   } catch (const YAML::Exception& error) {
     const std::string line = error.mark.is_null() ? "" : ":" + std::to_string(error.mark.line + 1);
-    throw std::runtime_error(metadata.string() + line +
-                             ": expected the metadata of a ROS 2 bag, found: " + error.msg);
+    throw std::runtime_error(
+        metadata.string() + line +
+        ": expected the metadata of a ROS 2 bag, found: " + backend::Printable(error.msg));
   }
   return files;
 }
@@ -126,6 +128,7 @@ class BagFolder : public MessageSource {
     AddTimes(part);
     contents_.unclosed = contents_.unclosed || part.unclosed;
     contents_.cut_off_bytes += part.cut_off_bytes;
+    contents_.bytes += part.bytes;
     files_.push_back(std::move(file));
   }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/rosbag/bag_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 
+#include "backend/text.h"
 #include "frontend/rosbag/byte_cursor.h"
 #include "frontend/rosbag/scan_beams.h"
 #include "frontend/rosbag/unpack.h"
@@ -19,7 +21,7 @@ using sensor::MalformedRecord;
 using sensor::ScanRecord;
 
 // What is latched, as /tf_static, is recorded within the first second or so.
-constexpr std::int64_t kLongestWait_ns = 10'000'000'000;
+constexpr double kLongestWait_s = 10.0;
 constexpr std::size_t kMostHeld = 4096;
 constexpr double kTolerance = 1e-2;  // m and rad, of laser poses that are the same
 constexpr double kTilted_rad = 0.1;
@@ -29,11 +31,12 @@ double Seconds(std::int64_t time_ns) {
   return static_cast<double>(static_cast<long double>(time_ns) / 1e9L);
 }
 
-std::string UnpackMessage(const BagMessage& message) {
+// At most to `most` bytes.
+std::string UnpackMessage(const BagMessage& message, std::uint64_t most) {
   const std::optional<std::uint64_t> size = ZstdSize(message.data);
-  if (!size) {
+  if (!size || *size > most) {
     throw MalformedRecord("expected a message packed by zstd that tells its size, up to " +
-                          std::to_string(kMaxChunkBytes) + " bytes");
+                          std::to_string(std::min(kMaxChunkBytes, most)) + " bytes");
   }
   try {
     return Unpack(Packing::kZstd, message.data, *size, *message.file, message.place);
@@ -156,7 +159,9 @@ bool BagReader::Read() {
     // rosbag2 packs messages by themselves when told to; plain CDR begins with a zero.
     if (source_->contents().topics[message->topic].encoding == Encoding::kCdr &&
         IsZstd(message->data)) {
-      unpacked = UnpackMessage(*message);
+      unpacked =
+          UnpackMessage(*message, MostUnpackedBytes(source_->contents().bytes) - unpacked_bytes_);
+      unpacked_bytes_ += unpacked.size();
       message->data = unpacked;
     }
     Take(*message);
@@ -167,11 +172,12 @@ bool BagReader::Read() {
 }
 
 void BagReader::LeaveOut(const BagMessage& message, const std::string& reason) {
-  const std::string error = *message.file + ": " + message.unit + " " +
-                            std::to_string(message.place) + ": topic " +
-                            source_->contents().topics[message.topic].name + ": " + reason;
-  if (options_.bad_record == sensor::BadRecordPolicy::kFail) throw std::runtime_error(error);
-  if (++num_malformed_ == 1) first_malformed_ = error;
+  const bool fails = options_.bad_record == sensor::BadRecordPolicy::kFail;
+  if (++num_malformed_ > 1 && !fails) return;
+  first_malformed_ =
+      *message.file + ": " + message.unit + " " + std::to_string(message.place) + ": topic " +
+      backend::Printable(source_->contents().topics[message.topic].name + ": " + reason);
+  if (fails) throw std::runtime_error(first_malformed_);
 }
 
 void BagReader::Take(const BagMessage& message) {
@@ -239,7 +245,7 @@ double BagReader::Stamp(const MessageHeader& header, const BagMessage& message) 
 
 bool BagReader::MayWait() const {
   return choice_.has_tf && !at_end_ && held_.size() < kMostHeld &&
-         newest_ns_ - held_.front().time_ns < kLongestWait_ns;
+         Seconds(newest_ns_) - Seconds(held_.front().time_ns) < kLongestWait_s;
 }
 
 std::optional<Mounting> BagReader::Find(const std::string& frame, bool may_assume) const {

@@ -69,6 +69,7 @@ class BagReader : public sensor::RecordReader {
   std::map<std::string, Mounting> mountings_;
   std::deque<Held> held_;
   std::int64_t newest_ns_ = 0;
+  std::uint64_t unpacked_bytes_ = 0;  // of messages packed by themselves
   bool at_end_ = false;
 
   std::int64_t num_messages_ = 0;

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "backend/text.h"
+
 namespace gmapping_spa::rosbag {
 
 static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
@@ -17,7 +19,8 @@ static_assert(std::endian::native == std::endian::little, "numbers are copied as
 // "<file>: byte <offset>: <message>"
 struct BagError : std::runtime_error {
   BagError(std::string_view file, std::int64_t byte, const std::string& message)
-      : std::runtime_error(std::string(file) + ": byte " + std::to_string(byte) + ": " + message) {}
+      : std::runtime_error(std::string(file) + ": byte " + std::to_string(byte) + ": " +
+                           backend::Printable(message)) {}
 };
 
 class ByteCursor {

@@ -9,6 +9,8 @@ namespace gmapping_spa::rosbag {
 namespace {
 
 constexpr std::uint64_t kMaxOpenBytes = 2 * kMaxChunkBytes;
+// No disk holds as many; what an index says beyond is a fault, whose sums would overflow.
+constexpr std::int64_t kMostMessages = 1'000'000'000'000;
 
 class DirectoryVisitor : public ChunkVisitor {
  public:
@@ -87,11 +89,16 @@ std::size_t ChunkDirectory::TopicOf(std::uint32_t id, const ByteCursor& at) cons
 }
 
 void ChunkDirectory::AddMessages(std::uint32_t id, std::int64_t count, const ByteCursor& at) {
-  contents.topics[TopicOf(id, at)].messages += count;
+  BagTopic& topic = contents.topics[TopicOf(id, at)];
+  if (count < 0 || count > kMostMessages - topic.messages) {
+    at.Fail("expected at most " + std::to_string(kMostMessages) + " messages of the id " +
+            std::to_string(id) + ", found more");
+  }
+  topic.messages += count;
 }
 
 void ChunkDirectory::AddByReading(const ByteFile& file, Chunk chunk, const ChunkParser& parse) {
-  const std::string bytes = ReadChunk(file, chunk);
+  const std::string bytes = ReadChunk(file, chunk, &read_bytes);
   DirectoryVisitor visitor(this, &chunk);
   parse(ByteCursor(bytes, file.path(), chunk.byte, 0), &visitor);
   if (visitor.ids().empty()) return;
@@ -106,11 +113,18 @@ void ChunkDirectory::AddTimes(const Chunk& chunk) {
   contents.last_ns = is_first ? chunk.last_ns : std::max(contents.last_ns, chunk.last_ns);
 }
 
-std::string ReadChunk(const ByteFile& file, const Chunk& chunk) {
+std::string ReadChunk(const ByteFile& file, const Chunk& chunk, std::uint64_t* unpacked_bytes) {
   // What cannot be unpacked need not be read.
   if (chunk.bytes > kMaxChunkBytes || chunk.packed_bytes > 2 * kMaxChunkBytes) {
     return Unpack(chunk.packing, "", std::max(chunk.bytes, chunk.packed_bytes), file.path(),
                   chunk.byte);
+  }
+  *unpacked_bytes += chunk.bytes;
+  if (const std::uint64_t most = MostUnpackedBytes(file.size()); *unpacked_bytes > most) {
+    throw BagError(file.path(), chunk.byte,
+                   "expected chunks of at most " + std::to_string(most) +
+                       " bytes in all, as the file has " + std::to_string(file.size()) +
+                       ", found more");
   }
   const std::string packed = file.Read(chunk.data_byte, chunk.packed_bytes, "a chunk");
   std::string bytes = Unpack(chunk.packing, packed, chunk.bytes, file.path(), chunk.byte);
@@ -124,6 +138,7 @@ std::string ReadChunk(const ByteFile& file, const Chunk& chunk) {
 
 ChunkedBag::ChunkedBag(ByteFile file, ChunkDirectory directory, ChunkParser parse)
     : file_(std::move(file)), directory_(std::move(directory)), parse_(std::move(parse)) {
+  directory_.contents.bytes = file_.size();
   std::stable_sort(directory_.chunks.begin(), directory_.chunks.end(),
                    [](const Chunk& a, const Chunk& b) { return a.first_ns < b.first_ns; });
   Select(std::vector<bool>(contents().topics.size(), true));
@@ -134,7 +149,7 @@ void ChunkedBag::Select(const std::vector<bool>& wanted) {
   next_chunk_ = 0;
   open_.clear();
   heads_ = {};
-  open_bytes_ = 0;
+  open_bytes_ = unpacked_bytes_ = 0;
   finished_.reset();
 }
 
@@ -148,7 +163,7 @@ bool ChunkedBag::IsWanted(const Chunk& chunk) const {
 void ChunkedBag::Open(std::size_t position) {
   const Chunk& chunk = directory_.chunks[position];
   if (!IsWanted(chunk)) return;
-  OpenChunk opened{ReadChunk(file_, chunk), chunk.byte, {}, 0};
+  OpenChunk opened{ReadChunk(file_, chunk, &unpacked_bytes_), chunk.byte, {}, 0};
   // Short strings move when their owner does; so the chunk takes its place before it is parsed.
   OpenChunk& open = open_.emplace(position, std::move(opened)).first->second;
   MessageCollector collector(directory_, wanted_);

@@ -51,6 +51,7 @@ struct ChunkDirectory {
   BagContents contents;
   std::vector<Chunk> chunks;
   std::map<std::uint32_t, std::size_t> topic_of_id;
+  std::uint64_t read_bytes = 0;  // of chunks, by AddByReading
 
   // A topic that is recorded by several connections is one. Throws BagError when the id is taken.
   void AddTopic(std::uint32_t id, BagTopic topic, const ByteCursor& at);
@@ -63,8 +64,9 @@ struct ChunkDirectory {
   void AddTimes(const Chunk& chunk);
 };
 
-// Unpacks, and checks the CRC. Throws BagError.
-std::string ReadChunk(const ByteFile& file, const Chunk& chunk);
+// Unpacks, and checks the CRC. Adds its bytes to those that were unpacked before. Throws BagError,
+// also where these are more in all than a file of this size may have.
+std::string ReadChunk(const ByteFile& file, const Chunk& chunk, std::uint64_t* unpacked_bytes);
 
 // Merges chunks by time: all those that begin before the next message ends are held unpacked, up to
 // 512 MiB of them; where more overlap, messages come later than others that are younger.
@@ -95,7 +97,7 @@ class ChunkedBag : public MessageSource {
   std::size_t next_chunk_ = 0;
   std::map<std::size_t, OpenChunk> open_;
   std::priority_queue<Head, std::vector<Head>, std::greater<>> heads_;
-  std::uint64_t open_bytes_ = 0;
+  std::uint64_t open_bytes_ = 0, unpacked_bytes_ = 0;
   std::optional<std::size_t> finished_;  // the chunk of the last message, when that was its last
 };
 

@@ -25,6 +25,7 @@ struct BagTopic {
 struct BagContents {
   std::string format;  // for people: "ROS 1 bag, 17 chunks"
   std::vector<BagTopic> topics;
+  std::int64_t bytes = 0;                  // on the disk
   std::int64_t first_ns = 0, last_ns = 0;  // times of recording; equal for a bag without messages
   // The bag was never closed: it was read through for what its index would tell, and so many bytes
   // at its end are no whole record.

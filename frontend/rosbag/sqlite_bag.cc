@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "backend/text.h"
 #include "frontend/rosbag/unpack.h"
 
 namespace gmapping_spa::rosbag {
@@ -45,29 +46,51 @@ class Database {
         sqlite3_open_v2(uri.c_str(), &opened, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
     connection_ = std::shared_ptr<sqlite3>(opened, &sqlite3_close);
     if (status != SQLITE_OK) Fail("cannot be opened as a database");
-    // A damaged or hostile file must not get further than an error.
-    sqlite3_limit(opened, SQLITE_LIMIT_LENGTH, static_cast<int>(kMaxChunkBytes));
-    sqlite3_db_config(opened, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
-    sqlite3_db_config(opened, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+    bytes_ = static_cast<std::int64_t>(std::filesystem::file_size(path));
+    if (has_log) bytes_ += static_cast<std::int64_t>(std::filesystem::file_size(path + "-wal"));
+    LimitWhatAFileMayDo();
   }
 
   const std::string& path() const { return path_; }
+  std::int64_t bytes() const { return bytes_; }
   sqlite3* get() const { return connection_.get(); }
 
+  // Lets the next query take as many instructions as tables of this size can need: some 30 a row of
+  // 10 bytes or more. Pages that are each other's or that many others share would have rows without
+  // end.
+  void BeginQuery() const { *rounds_left_ = (1'000'000 + 100 * bytes_) / kRound; }
+
   [[noreturn]] void Fail(const std::string& message) const {
-    std::string cause = sqlite3_errmsg(connection_.get());
-    std::replace(cause.begin(), cause.end(), '\n', ' ');
-    throw std::runtime_error(path_ + ": " + message + ": " + cause);
+    throw std::runtime_error(path_ + ": " + message + ": " +
+                             backend::Printable(sqlite3_errmsg(connection_.get())));
   }
 
  private:
+  static constexpr int kRound = 1000;  // instructions
+
+  // A damaged or hostile file must not get further than an error.
+  void LimitWhatAFileMayDo() {
+    // Values are as long as the file, unless it computes them.
+    const auto longest = std::min<std::int64_t>(kMaxChunkBytes, bytes_ + (1 << 20));
+    sqlite3_limit(get(), SQLITE_LIMIT_LENGTH, static_cast<int>(longest));
+    sqlite3_db_config(get(), SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+    sqlite3_db_config(get(), SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+    const auto count = [](void* rounds) {
+      return --*static_cast<std::int64_t*>(rounds) < 0 ? 1 : 0;
+    };
+    sqlite3_progress_handler(get(), kRound, count, rounds_left_.get());
+  }
+
   std::string path_;
+  std::int64_t bytes_ = 0;
+  std::shared_ptr<std::int64_t> rounds_left_ = std::make_shared<std::int64_t>(kRound);
   std::shared_ptr<sqlite3> connection_;
 };
 
 class Query {
  public:
   Query(const Database& database, const std::string& sql) : database_(database) {
+    database_.BeginQuery();
     sqlite3_stmt* made = nullptr;
     if (sqlite3_prepare_v2(database.get(), sql.c_str(), -1, &made, nullptr) != SQLITE_OK) {
       database_.Fail("expected the tables of a ROS 2 bag");
@@ -115,6 +138,7 @@ class SqliteBag : public MessageSource {
     has_time_index_ = index.Step() && index.Integer(0) > 0;
     ReadTopics();
     contents_.format = "ROS 2 bag (SQLite)";
+    contents_.bytes = database_.bytes();
     Select(std::vector<bool>(contents_.topics.size(), true));
   }
 
@@ -136,12 +160,13 @@ class SqliteBag : public MessageSource {
 
   std::optional<BagMessage> Next() override {
     if (!messages_->Step()) return std::nullopt;
-    return BagMessage{topic_of_id_.at(messages_->Integer(1)),
-                      messages_->Integer(2),
-                      messages_->Bytes(3),
-                      &database_.path(),
-                      "row",
-                      messages_->Integer(0)};
+    const auto topic = topic_of_id_.find(messages_->Integer(1));
+    if (topic == topic_of_id_.end()) {  // which only a damaged index gives
+      throw std::runtime_error(database_.path() + ": row " + std::to_string(messages_->Integer(0)) +
+                               ": expected a message of a topic that was asked for");
+    }
+    return BagMessage{topic->second, messages_->Integer(2), messages_->Bytes(3), &database_.path(),
+                      "row",         messages_->Integer(0)};
   }
 
  private:

@@ -95,7 +95,8 @@ std::string Described(const BagContents& contents) {
   std::string list;
   for (std::size_t i = 0; i < std::min<std::size_t>(contents.topics.size(), 12); ++i) {
     const BagTopic& topic = contents.topics[i];
-    list += (i == 0 ? "" : ", ") + backend::Quoted(topic.name) + " (" + topic.type + ")";
+    list += (i == 0 ? "" : ", ") + backend::Quoted(topic.name) + " (" +
+            backend::Printable(topic.type) + ")";
   }
   return list.empty() ? "no topic" : list + (contents.topics.size() > 12 ? ", ..." : "");
 }

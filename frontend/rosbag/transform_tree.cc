@@ -4,7 +4,15 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "backend/text.h"
+
 namespace gmapping_spa::rosbag {
+namespace {
+
+// Far above what robots have: a search for each scan takes as long as there are levels.
+constexpr std::size_t kMostLevels = 100;
+
+}  // namespace
 
 void TransformTree::Set(const std::string& parent, const std::string& child,
                         const Eigen::Isometry3d& parent_T_child) {
@@ -22,8 +30,13 @@ std::vector<TransformTree::Ancestor> TransformTree::AncestorsOf(const std::strin
     const auto link = links_.find(last.frame);
     if (link == links_.end()) return ancestors;
     if (ancestors.size() > links_.size()) {
-      throw std::runtime_error("expected a tree of transforms, found a loop at the frame '" +
-                               frame + "'");
+      throw std::runtime_error("expected a tree of transforms, found a loop at the frame " +
+                               backend::Quoted(frame));
+    }
+    if (ancestors.size() > kMostLevels) {
+      throw std::runtime_error("expected a tree of transforms of at most " +
+                               std::to_string(kMostLevels) +
+                               " levels, found more above the frame " + backend::Quoted(frame));
     }
     ancestors.push_back({link->second.parent, link->second.parent_T_child * last.ancestor_T_frame});
   }

@@ -19,7 +19,7 @@ class TransformTree {
            const Eigen::Isometry3d& parent_T_child);
 
   // target_T_source, or nothing where the two are not connected. Throws std::runtime_error with one
-  // line where frames are each other's parents.
+  // line where frames are each other's parents, or have more than 100 of them above each other.
   std::optional<Eigen::Isometry3d> Lookup(const std::string& target,
                                           const std::string& source) const;
 

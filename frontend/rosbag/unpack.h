@@ -19,6 +19,12 @@ std::optional<Packing> PackingNamed(std::string_view name);
 // single message is; one that claims more is likelier an attack on the memory.
 inline constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{256} << 20;
 
+// What a bag may unpack to in all, when it takes `bytes` on the disk: far above what recorders get
+// to, and far below what somebody made up to fill the memory or to last for ever.
+inline std::uint64_t MostUnpackedBytes(std::int64_t bytes) {
+  return (std::uint64_t{4} << 20) + 1000 * static_cast<std::uint64_t>(bytes);
+}
+
 // Unpacks `packed` to exactly `size` bytes, at most kMaxChunkBytes. Throws BagError, for `file` and
 // `byte`, when it is damaged or has another size.
 std::string Unpack(Packing packing, std::string_view packed, std::uint64_t size,

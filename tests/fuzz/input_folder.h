@@ -27,6 +27,8 @@ class InputFolder {
   InputFolder(const InputFolder&) = delete;
   InputFolder& operator=(const InputFolder&) = delete;
 
+  const std::string& path() const { return path_; }
+
   // Writes a file and returns its path.
   std::string FileWith(const std::string& name, const std::string& text) const {
     std::ofstream(path_ + "/" + name, std::ios::binary) << text;

@@ -59,5 +59,30 @@ TEST(GraphStructure, OrdersAnewBeforeTheFactorFillsUp) {
             2 * fresh.tree().block_products + 100 * index.fixed.size());
 }
 
+std::vector<char> Saved(const GraphStructure& structure) {
+  backend::PacketWriter packet;
+  structure.Save(&packet);
+  return packet.bytes();
+}
+
+TEST(GraphStructure, IsLoadedAsItWasSaved) {
+  GraphStructure saved, loaded;
+  saved.Update(Chain(20));
+  const std::vector<char> bytes = Saved(saved);
+  backend::PacketReader packet(bytes);
+  loaded.Load(&packet);
+  EXPECT_EQ(loaded.blocks().node_of_column, saved.blocks().node_of_column);
+  loaded.Update(Chain(20));
+  EXPECT_FALSE(loaded.changed());
+}
+
+TEST(GraphStructure, OrderingOfColumnsThatAreNotThereIsRefused) {
+  std::vector<char> bytes = Saved(GraphStructure());
+  bytes[3 * sizeof(std::int64_t)] = 1;  // columns, behind edges, nodes and products
+  backend::PacketReader packet(bytes);
+  GraphStructure loaded;
+  EXPECT_THROW(loaded.Load(&packet), backend::MalformedPacket);
+}
+
 }  // namespace
 }  // namespace gmapping_spa::spa

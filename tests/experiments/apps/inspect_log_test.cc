@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/frontend/rosbag/small_bag.h"
 #include "tests/run_command.h"
 #include "tests/temporary_folder.h"
 
@@ -20,6 +21,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 // A robot that drives along x with 181 beams that end 2 m and more away; `odometry_m` says where
@@ -139,6 +141,18 @@ TEST_F(InspectLog, DrawsOnePageTheSameEveryTime) {
   EXPECT_THAT(png, StartsWith("\x89PNG\r\n\x1a\n"));
   EXPECT_GT(png.size(), 5000u);
   EXPECT_EQ(picture(GoodLog()), png);
+}
+
+TEST_F(InspectLog, NamesInABagNeedNotBeText) {
+  rosbag::SmallBag bag(folder_.Path("log.mcap"), "mcap");
+  bag.Scan(rosbag::kSecond_ns, {.frame = "la\x1b\xffser"},
+           "/sc\x1b\xff"
+           "an");
+  const std::string path = bag.Finish();
+  const CommandResult text = RunCommand({INSPECT_LOG, "--log=" + path});
+  EXPECT_THAT(text.out, AllOf(HasSubstr("/sc?"), Not(HasSubstr("\x1b"))));
+  const CommandResult json = RunCommand({INSPECT_LOG, "--log=" + path, "--json"});
+  EXPECT_EQ(nlohmann::json::parse(json.out)["bag"]["topics"][0]["name"], "/sc\x1b\ufffdan");
 }
 
 TEST_F(InspectLog, BadInputIsOneLine) {

@@ -43,6 +43,13 @@ TEST_F(TransformTreeTest, LoopsAreNoTree) {
   EXPECT_THROW(tree_.Lookup("c", "d"), std::runtime_error);
 }
 
+TEST_F(TransformTreeTest, HasABoundedNumberOfLevels) {
+  for (int i = 0; i < 100; ++i) tree_.Set(std::to_string(i), std::to_string(i + 1), Shift(1.0));
+  EXPECT_EQ(ShiftBetween("0", "100"), 100.0);
+  tree_.Set("100", "101", Shift(1.0));
+  EXPECT_THROW(tree_.Lookup("0", "101"), std::runtime_error);
+}
+
 TEST_F(TransformTreeTest, HasABoundedNumberOfFrames) {
   for (int i = 0; i < 10000; ++i) tree_.Set("base", std::to_string(i), Shift(0.0));
   tree_.Set("base", "5", Shift(1.0));
