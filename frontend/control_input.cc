@@ -189,6 +189,13 @@ void ControlInput::ReportMatch(const ScanMotion& motion, const OdometryCheck::St
     health_->Report("odometry_contradicted", stamp_s,
                     "the scan contradicts the odometry by more than its usual error");
   }
+  if (motion.unobserved) {
+    health_->Report(
+        "motion_unobserved", stamp_s,
+        "neither the scans nor the odometry tell how far the robot goes, as in a corridor; "
+        "it is taken to go on as before");
+    health_->Mark("ambiguous", stamp_s);
+  }
   if (!motion.alternatives.empty()) {
     health_->Report("ambiguous_scan", stamp_s,
                     "a scan fits in " + std::to_string(motion.alternatives.size()) +

@@ -22,8 +22,6 @@ constexpr double kMinUsualFit = 0.3;
 // Time between scans, s: stamps jitter, and are lost for long.
 constexpr double kMinDuration_s = 0.02;
 constexpr double kMaxDuration_s = 1.0;
-constexpr double kMaxRatio = 2.0;   // of the times of two scans in succession
-constexpr double kMaxChange = 3.0;  // of the motion from scan to scan, in standard deviations
 
 // Squared standard deviations by which a motion may differ from a guess that it agrees with.
 constexpr double kAgrees = 9.0;
@@ -145,7 +143,7 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   new_piece_.reset();
   doubtful_scans_ = IsDoubtful(best) ? doubtful_scans_ + 1 : 0;
   result.matched = doubtful_scans_ == 0 || doubtful_scans_ > options_.doubtful_scans;
-  Learn(best, duration_s);
+  Learn(best, guess && guess->tells_way, duration_s);
   odom_T_robot_ = best.odom_T_robot;
   result.motion = Between(before, odom_T_robot_);
   result.velocity = VelocityOf(result.motion, duration_s);
@@ -165,6 +163,9 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   result.wheels_silent = wheel_trust_.silent() && Moves(result.motion);
   result.wheels_turn_only =
       wheel_trust_.tells_turns_only() && odom_T_robot_.translation().norm() > kSomeWay_m;
+  const bool wheels_tell = guess && guess->tells_way && !result.wheels_rejected;
+  result.unobserved =
+      !wheels_tell && !gauss_newton_.TellsPosition(map_.grid(), points_, odom_T_robot_);
   result.wheels_late = guess && wheel_trust_.late();
   result.wheels_mirrored = wheel_trust_.mirrored();
   double sum = 0.0;
@@ -195,16 +196,6 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   return result;
 }
 
-// Loggers may stamp scans when they write them, several at once: times are taken with a pinch of
-// salt.
-double LidarOdometry::DurationRatio(double duration_s) const {
-  return std::clamp(duration_s / usual_duration_s_, 1.0 / kMaxRatio, kMaxRatio);
-}
-
-SE2 LidarOdometry::SameVelocity(double duration_s) const {
-  return backend::Exp(DurationRatio(duration_s) * usual_motion_);
-}
-
 MotionPrior LidarOdometry::MakePrior(const std::optional<WheelMotion>& wheels,
                                      double duration_s) const {
   return {options_.prior, wheels, SameVelocity(duration_s),
@@ -215,8 +206,10 @@ MotionPrior LidarOdometry::MakePrior(const std::optional<WheelMotion>& wheels,
 LidarOdometry::Match LidarOdometry::Track(const SE2& initial,
                                           const MotionHypothesis& hypothesis) const {
   Match match;
-  match.odom_T_robot =
-      gauss_newton_.Align(map_.grid(), points_, initial, hypothesis.Information()).world_T_robot;
+  const scan_matching::GaussNewton::Alignment alignment =
+      gauss_newton_.Align(map_.grid(), points_, initial, hypothesis.Information());
+  match.odom_T_robot = alignment.world_T_robot;
+  match.weakest = scan_matching::FindWeakestDirection(alignment.world_information);
   scan_matching::EndpointModel model(options_.endpoint, &map_.grid(), &points_);
   match.evidence = model.Evaluate(match.odom_T_robot);
   return match;
@@ -268,7 +261,7 @@ void LidarOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) 
   *matches = std::move(different);
 }
 
-void LidarOdometry::Learn(const Match& match, double duration_s) {
+void LidarOdometry::Learn(const Match& match, bool wheels_tell_way, double duration_s) {
   ++scans_;
   if (match.evidence.known() > 0.0) {
     usual_fit_ += kForgetting * (match.evidence.Fit() - usual_fit_);
@@ -278,16 +271,7 @@ void LidarOdometry::Learn(const Match& match, double duration_s) {
     const double unknown = match.evidence.unknown / match.evidence.all();
     usual_unknown_ += kForgetting * (unknown - usual_unknown_);
   }
-  // Scans out of order or matched wrongly seem to jump; robots do not.
-  const Eigen::Vector3d motion =
-      backend::Log(Between(odom_T_robot_, match.odom_T_robot)) / DurationRatio(duration_s);
-  const double square_s2 = usual_duration_s_ * usual_duration_s_;
-  const double m =
-      kMaxChange * (options_.prior.velocity_floor_m + options_.prior.acceleration_m_s2 * square_s2);
-  const double rad = kMaxChange * (options_.prior.velocity_floor_rad +
-                                   options_.prior.angular_acceleration_rad_s2 * square_s2);
-  const Eigen::Array3d limit(m, m, rad);
-  usual_motion_ += (motion - usual_motion_).array().max(-limit).min(limit).matrix();
+  LearnVelocity(match, wheels_tell_way, duration_s);
 }
 
 }  // namespace gmapping_spa::frontend

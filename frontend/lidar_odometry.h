@@ -16,6 +16,7 @@
 #include "frontend/scan_matching/endpoint_model.h"
 #include "frontend/scan_matching/gauss_newton.h"
 #include "frontend/scan_matching/scan_points.h"
+#include "frontend/scan_matching/weakest_direction.h"
 #include "frontend/sensor/laser_scan.h"
 #include "frontend/sensor/odometry_check.h"
 #include "frontend/sliding_map.h"
@@ -40,7 +41,9 @@ struct ScanMotion {
   bool wheels_turn_only = false;  // whether the wheels have never told a way, and the robot drives
   bool wheels_late = false;       // whether the wheels tell motions later than the scans
   bool wheels_mirrored = false;   // whether the wheels turn the other way than the scans
-  bool matched = true;            // whether the scan fits what was seen before
+  // Whether neither the scan nor the wheels tell how far the robot has gone, as in a corridor.
+  bool unobserved = false;
+  bool matched = true;  // whether the scan fits what was seen before
   // Where the robot was lost, and the last scans fit each other: so many, this one included, are
   // the begin of a new piece of map; how it lies to what was before is not known. Else zero.
   int new_piece_scans = 0;
@@ -110,6 +113,7 @@ class LidarOdometry {
     backend::SE2 odom_T_robot;
     scan_matching::Evidence evidence;
     double log_posterior = 0.0;  // up to a constant
+    scan_matching::WeakestDirection weakest = {};
   };
 
   bool IsLost(const Match& match) const;
@@ -130,7 +134,8 @@ class LidarOdometry {
   bool IsConvincing(const Match& match, const MotionPrior& prior) const;
   double Nats(const Match& match, double least_unknown) const;
   void Rank(const MotionPrior& prior, std::vector<Match>* matches) const;
-  void Learn(const Match& match, double duration_s);
+  void Learn(const Match& match, bool wheels_tell_way, double duration_s);
+  void LearnVelocity(const Match& match, bool wheels_tell_way, double duration_s);
 
   Options options_;
   scan_matching::GaussNewton gauss_newton_;

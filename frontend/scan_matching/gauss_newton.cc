@@ -4,14 +4,15 @@
 #include <glog/logging.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "frontend/map/beam_blocks.h"
 #include "frontend/map/cell_block.h"
 #include "frontend/scan_matching/local_surface.h"
+#include "frontend/scan_matching/weakest_direction.h"
 
 namespace gmapping_spa::scan_matching {
 
@@ -28,6 +29,7 @@ constexpr float kSingleHit = 1e-4f;  // in squared cells, beyond rounding
 constexpr double kFeigned = 2.0;
 // Variance of the normal of hit means, rad^2.
 constexpr double kMapNormalVariance = 0.01;
+constexpr double kMeansOfSurface = 3.0;  // hit means that a LocalSurface is made of, about
 // The map knows how a wall runs where so many cells around have been hit often.
 constexpr int kCellsOfWall = 2;
 
@@ -38,6 +40,8 @@ struct NormalEquations {
   // Part of the hessian of (x, y) that normals off by their noise are expected to feign.
   Eigen::Matrix2d feigned = Eigen::Matrix2d::Zero();
 
+  double kept = 1.0;  // part of what the direction that is bound least has
+
   void KeepWhatIsBound();
 };
 
@@ -45,13 +49,9 @@ struct NormalEquations {
 // that binds it: a corridor of noisy walls would hold the robot where it was last.
 void NormalEquations::KeepWhatIsBound() {
   if (!(hessian(2, 2) > 0.0)) return;
-  const Eigen::Vector2d xy_theta = hessian.topRightCorner<2, 1>();
-  const Eigen::Matrix2d given_theta =
-      hessian.topLeftCorner<2, 2>() - xy_theta * xy_theta.transpose() / hessian(2, 2);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(given_theta);
-  const Eigen::Vector2d weakest = eigen.eigenvectors().col(0);
-  const double bound = eigen.eigenvalues()[0], noise = weakest.dot(feigned * weakest);
-  const double kept = bound > 0.0 ? std::clamp(1.0 - kFeigned * noise / bound, 0.0, 1.0) : 0.0;
+  const auto [weakest, bound] = FindWeakestDirection(hessian);
+  const double noise = weakest.dot(feigned * weakest);
+  kept = bound > 0.0 ? std::clamp(1.0 - kFeigned * noise / bound, 0.0, 1.0) : 0.0;
   Eigen::Matrix3d project = Eigen::Matrix3d::Identity();
   project.topLeftCorner<2, 2>() -= (1.0 - kept) * weakest * weakest.transpose();
   hessian = project * hessian * project;
@@ -78,9 +78,24 @@ Eigen::Matrix2f AcrossWall(const LocalSurface& surface, float noise_cells) {
   return information;
 }
 
+// How far normals of hit means are believed: what is no wall but looks like one may be the noise of
+// the ranges, or a rough wall. Poses take it for the latter.
+enum class Trust : std::uint8_t { kUsual, kLeast };
+
+// Of the normal of hit means, rad^2.
+double MapNormalVariance(const LocalSurface& surface, Trust trust) {
+  if (trust == Trust::kUsual) return kMapNormalVariance;
+  const double middle = 0.5 * surface.covariance.trace();
+  const double half_gap =
+      std::sqrt(std::max(middle * middle - surface.covariance.determinant(), 0.0));
+  const double scatter = (middle - half_gap) / (middle + half_gap);
+  return std::max(kMapNormalVariance, scatter / kMeansOfSurface);
+}
+
 // Of the beams at `pose`, in metres.
 NormalEquations Linearize(const map::OccupancyGrid& grid, const ScanPoints& points, const SE2& pose,
-                          double noise_sigma_m, double robust_sigmas, map::BeamBlocks* blocks) {
+                          double noise_sigma_m, double robust_sigmas, map::BeamBlocks* blocks,
+                          Trust trust = Trust::kUsual) {
   const double cells_per_m = 1.0 / grid.resolution_m();
   const auto noise_cells = static_cast<float>(noise_sigma_m * cells_per_m);
   const auto robust = static_cast<float>(robust_sigmas * robust_sigmas);
@@ -125,7 +140,7 @@ NormalEquations Linearize(const map::OccupancyGrid& grid, const ScanPoints& poin
     const double fx = -weight * cells_per_m * toward.x(), fy = -weight * cells_per_m * toward.y();
     sum.gradient += Eigen::Vector3d(fx, fy, nx * fx + ny * fy);
     sum.inliers += weight;
-    const double variance = by_scan ? point.normal_variance : kMapNormalVariance;
+    const double variance = by_scan ? point.normal_variance : MapNormalVariance(surface, trust);
     sum.feigned(0, 0) += variance * yy;
     sum.feigned(1, 0) -= variance * xy;
     sum.feigned(1, 1) += variance * xx;
@@ -172,6 +187,14 @@ Eigen::Matrix3d GaussNewton::InformationAt(const map::OccupancyGrid& grid, const
   return Linearize(grid, points, world_T_robot, options_.noise_sigma_m, options_.robust_sigmas,
                    &blocks)
       .hessian;
+}
+
+bool GaussNewton::TellsPosition(const map::OccupancyGrid& grid, const ScanPoints& points,
+                                const SE2& world_T_robot) const {
+  map::BeamBlocks blocks(points.size());
+  const NormalEquations sum = Linearize(grid, points, world_T_robot, options_.noise_sigma_m,
+                                        options_.robust_sigmas, &blocks, Trust::kLeast);
+  return sum.kept > 0.0 && FindWeakestDirection(sum.hessian).information > 0.0;
 }
 
 }  // namespace gmapping_spa::scan_matching

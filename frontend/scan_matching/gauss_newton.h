@@ -49,6 +49,11 @@ class GaussNewton {
   Eigen::Matrix3d InformationAt(const map::OccupancyGrid& grid, const ScanPoints& points,
                                 const backend::SE2& world_T_robot) const;
 
+  // Whether the scan surely tells the position in every direction, whatever its walls look like:
+  // not in a corridor.
+  bool TellsPosition(const map::OccupancyGrid& grid, const ScanPoints& points,
+                     const backend::SE2& world_T_robot) const;
+
  private:
   Options options_;
 };

@@ -109,5 +109,21 @@ TEST(LidarOdometryWithFewBeams, WheelsThatTurnTooFarAllTheTimeDoNotBendThePath) 
   EXPECT_NEAR(Between(drive.world_T_robot(), drive.world_T_estimate()).theta, 0.0, 0.1);
 }
 
+TEST_P(LidarOdometryInACorridor, WhatNeitherScansNorWheelsTellIsKnown) {
+  const Wheels missing{{}, sensor::OdometryFault::kMissing};
+  const auto count = [&](synthetic::Walls walls, bool wheels) {
+    Drive drive(std::move(walls));
+    int unobserved = 0;
+    for (int step = 0; step <= 60; ++step) {
+      const SE2 pose = SE2{0, 0, GetParam()} * SE2{0.02 * step, 0.1, 0.0};
+      unobserved += (wheels ? drive.To(pose) : drive.To(pose, missing)).unobserved ? 1 : 0;
+    }
+    return unobserved;
+  };
+  EXPECT_GT(count(synthetic::Corridor(GetParam()), false), 50);
+  EXPECT_EQ(count(synthetic::Corridor(GetParam()), true), 0);
+  EXPECT_EQ(count(synthetic::Room(), false), 0);
+}
+
 }  // namespace
 }  // namespace gmapping_spa::frontend
