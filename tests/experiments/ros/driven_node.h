@@ -102,9 +102,9 @@ class DrivenNode : public testing::Test {
     return {pose.x_m, pose.y_m, pose.heading_rad};
   }
 
-  // False after ten seconds.
+  // False after two minutes: sanitizers are slow.
   static bool WaitUntil(const std::function<bool()>& is_so) {
-    for (int i = 0; i < 1000 && !is_so(); ++i) {
+    for (int i = 0; i < 12000 && !is_so(); ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return is_so();

@@ -28,6 +28,8 @@ class OldMapTest : public DrivenNode {
   void MakeOldMap() {
     gflags::SetCommandLineOption("save_session", folder_.Path("robot.session").c_str());
     Drive(100);
+    // The last ones wait for their odometry: Finish gives them the time for a few, not for all.
+    ASSERT_TRUE(WaitUntil([&] { return core_->counts().used > 70; }));
     core_->Finish();
     core_.reset();
     gflags::SetCommandLineOption("save_session", "");
@@ -67,6 +69,7 @@ TEST_F(OldMapTest, IsShownAsItIsWhileTheRobotIsLocalizedInIt) {
   Begin();
   const std::size_t before = listener_.snapshots().size();
   for (int i = 20; i < 200; ++i) Give(i);
+  ASSERT_TRUE(WaitUntil([&] { return core_->counts().used > 150; }));
   core_->Finish();
   EXPECT_EQ(core_->old_map(), OldMap::kFound);
   const std::vector<Snapshot> snapshots = listener_.snapshots();
