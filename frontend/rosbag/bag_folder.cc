@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -88,9 +89,11 @@ class BagFolder : public MessageSource {
     std::vector<std::string> found;
     if (fs::exists(folder / "metadata.yaml")) {
       for (const std::string& name : ListedFiles(folder / "metadata.yaml")) {
+        // What is no name of a file is not there either.
+        std::error_code ignored;
         fs::path path = folder / name;
-        if (!fs::exists(path)) path = folder / fs::path(name).filename();
-        if (fs::is_regular_file(path)) {
+        if (!fs::exists(path, ignored)) path = folder / fs::path(name).filename();
+        if (fs::is_regular_file(path, ignored)) {
           found.push_back(path.string());
         } else {
           ++contents_.missing_files;

@@ -74,6 +74,14 @@ TEST_F(BagFolderTest, ListedFilesAreFoundByTheirNameWhereverTheyWereRecorded) {
   EXPECT_EQ(source->contents().missing_files, 2);
 }
 
+TEST_F(BagFolderTest, NamesThatNoFileCanHaveAreMissingFiles) {
+  AddFile("log_0", {1});
+  ListFiles("    - log_0\n    - " + std::string(300, 'n') + "\n");
+  const auto source = Open();
+  EXPECT_THAT(TimesOf(source.get()), ElementsAre(1));
+  EXPECT_EQ(source->contents().missing_files, 1);
+}
+
 TEST_F(BagFolderTest, FilesFollowEachOtherInTheOrderOfTimeAsOneBag) {
   AddFile("log_0", {5, 6});
   AddFile("log_1", {1, 2, 3});
