@@ -143,7 +143,7 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   new_piece_.reset();
   doubtful_scans_ = IsDoubtful(best) ? doubtful_scans_ + 1 : 0;
   result.matched = doubtful_scans_ == 0 || doubtful_scans_ > options_.doubtful_scans;
-  Learn(best, guess && guess->tells_way, duration_s);
+  Learn(best, duration_s);
   odom_T_robot_ = best.odom_T_robot;
   result.motion = Between(before, odom_T_robot_);
   result.velocity = VelocityOf(result.motion, duration_s);
@@ -164,8 +164,8 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   result.wheels_turn_only =
       wheel_trust_.tells_turns_only() && odom_T_robot_.translation().norm() > kSomeWay_m;
   const bool wheels_tell = guess && guess->tells_way && !result.wheels_rejected;
-  result.unobserved =
-      !wheels_tell && !gauss_newton_.TellsPosition(map_.grid(), points_, odom_T_robot_);
+  result.unobserved = !wheels_tell && !points_.empty() &&
+                      !gauss_newton_.TellsPosition(map_.grid(), points_, odom_T_robot_);
   result.wheels_late = guess && wheel_trust_.late();
   result.wheels_mirrored = wheel_trust_.mirrored();
   double sum = 0.0;
@@ -206,10 +206,8 @@ MotionPrior LidarOdometry::MakePrior(const std::optional<WheelMotion>& wheels,
 LidarOdometry::Match LidarOdometry::Track(const SE2& initial,
                                           const MotionHypothesis& hypothesis) const {
   Match match;
-  const scan_matching::GaussNewton::Alignment alignment =
-      gauss_newton_.Align(map_.grid(), points_, initial, hypothesis.Information());
-  match.odom_T_robot = alignment.world_T_robot;
-  match.weakest = scan_matching::FindWeakestDirection(alignment.world_information);
+  match.odom_T_robot =
+      gauss_newton_.Align(map_.grid(), points_, initial, hypothesis.Information()).world_T_robot;
   scan_matching::EndpointModel model(options_.endpoint, &map_.grid(), &points_);
   match.evidence = model.Evaluate(match.odom_T_robot);
   return match;
@@ -261,7 +259,7 @@ void LidarOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) 
   *matches = std::move(different);
 }
 
-void LidarOdometry::Learn(const Match& match, bool wheels_tell_way, double duration_s) {
+void LidarOdometry::Learn(const Match& match, double duration_s) {
   ++scans_;
   if (match.evidence.known() > 0.0) {
     usual_fit_ += kForgetting * (match.evidence.Fit() - usual_fit_);
@@ -271,7 +269,7 @@ void LidarOdometry::Learn(const Match& match, bool wheels_tell_way, double durat
     const double unknown = match.evidence.unknown / match.evidence.all();
     usual_unknown_ += kForgetting * (unknown - usual_unknown_);
   }
-  LearnVelocity(match, wheels_tell_way, duration_s);
+  LearnVelocity(match, duration_s);
 }
 
 }  // namespace gmapping_spa::frontend

@@ -16,7 +16,6 @@
 #include "frontend/scan_matching/endpoint_model.h"
 #include "frontend/scan_matching/gauss_newton.h"
 #include "frontend/scan_matching/scan_points.h"
-#include "frontend/scan_matching/weakest_direction.h"
 #include "frontend/sensor/laser_scan.h"
 #include "frontend/sensor/odometry_check.h"
 #include "frontend/sliding_map.h"
@@ -113,7 +112,6 @@ class LidarOdometry {
     backend::SE2 odom_T_robot;
     scan_matching::Evidence evidence;
     double log_posterior = 0.0;  // up to a constant
-    scan_matching::WeakestDirection weakest = {};
   };
 
   bool IsLost(const Match& match) const;
@@ -134,8 +132,8 @@ class LidarOdometry {
   bool IsConvincing(const Match& match, const MotionPrior& prior) const;
   double Nats(const Match& match, double least_unknown) const;
   void Rank(const MotionPrior& prior, std::vector<Match>* matches) const;
-  void Learn(const Match& match, bool wheels_tell_way, double duration_s);
-  void LearnVelocity(const Match& match, bool wheels_tell_way, double duration_s);
+  void Learn(const Match& match, double duration_s);
+  void LearnVelocity(const Match& match, double duration_s);
 
   Options options_;
   scan_matching::GaussNewton gauss_newton_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The velocity of the robot, as far as it predicts the next motion.
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <algorithm>
 
 #include "frontend/lidar_odometry.h"
@@ -26,7 +26,7 @@ SE2 LidarOdometry::SameVelocity(double duration_s) const {
   return backend::Exp(DurationRatio(duration_s) * usual_motion_);
 }
 
-void LidarOdometry::LearnVelocity(const Match& match, bool wheels_tell_way, double duration_s) {
+void LidarOdometry::LearnVelocity(const Match& match, double duration_s) {
   // Scans out of order or matched wrongly seem to jump; robots do not.
   const Eigen::Vector3d motion =
       backend::Log(Between(odom_T_robot_, match.odom_T_robot)) / DurationRatio(duration_s);
@@ -35,16 +35,7 @@ void LidarOdometry::LearnVelocity(const Match& match, bool wheels_tell_way, doub
   const double sigma_m = prior.velocity_floor_m + prior.acceleration_m_s2 * square_s2;
   const double sigma_rad = prior.velocity_floor_rad + prior.angular_acceleration_rad_s2 * square_s2;
   const Eigen::Array3d limit = kMaxChange * Eigen::Array3d(sigma_m, sigma_m, sigma_rad);
-  Eigen::Vector3d change = (motion - usual_motion_).array().max(-limit).min(limit).matrix();
-  if (!wheels_tell_way) {
-    // Where the scan says little about the way, the velocity follows even less than the pose does,
-    // or its noise would add up: gains alpha and beta of Benedict and Bordner 1962.
-    const auto& [direction, information] = match.weakest;
-    const double alpha = information / (information + 1.0 / (sigma_m * sigma_m));
-    const double beta_by_alpha = alpha / (2.0 - alpha);
-    const Eigen::Vector2d along = Eigen::Rotation2Dd(-match.odom_T_robot.theta) * direction;
-    change.head<2>() -= (1.0 - beta_by_alpha) * along.dot(change.head<2>()) * along;
-  }
+  const Eigen::Vector3d change = (motion - usual_motion_).array().max(-limit).min(limit).matrix();
   usual_motion_ += change;
 }
 
