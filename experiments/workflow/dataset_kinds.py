@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Kinds of datasets of a study: logs of real robots, those under stress, and the simulator's."""
+"""Kinds of datasets of a study: logs of real robots, those under stress, and the simulator's, in worlds
+that somebody drew or in random ones."""
 from __future__ import annotations
 
 import dataclasses
@@ -66,4 +67,18 @@ class SimulatedDataset:
             flags.as_arguments(self.flags), seed)
 
 
-Dataset = RecordedDataset | StressedDataset | SimulatedDataset
+@dataclasses.dataclass(frozen=True)
+class RandomDataset:
+    """A tour through a random building; every seed makes another building, tour and robot."""
+    tool: ClassVar[str | None] = "random_world"
+    kind: str
+
+    def argv(self, seed: int) -> list[str]:
+        """Arguments of `random_world.py`, without --simulate and --output_dir."""
+        return [f"--kind={self.kind}", f"--seed={seed}"]
+
+    def content_id(self, seed: int) -> str:
+        return ids.content_id("random", self.kind, seed)
+
+
+Dataset = RecordedDataset | StressedDataset | SimulatedDataset | RandomDataset

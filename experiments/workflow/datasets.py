@@ -8,7 +8,8 @@ import pathlib
 
 import flags
 import log_tools
-from dataset_kinds import Dataset, RecordedDataset, SimulatedDataset, StressedDataset
+from dataset_kinds import (Dataset, RandomDataset, RecordedDataset, SimulatedDataset,
+                           StressedDataset)
 from yaml_entry import Entry, did_you_mean
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -48,8 +49,13 @@ def read_datasets(name: str, entry: Entry, parts: dict[str, Entry], data: pathli
               simulator_flags: dict[str, str]) -> dict[str, Dataset]:
     """By name: one dataset, or with a list of stresses the dataset 'NAME KIND' for each of them. `parts`
     are the values below `entry`, those of the study's quick version merged in."""
-    if ("carmen" in parts) == ("world" in parts):
-        entry.fail("expected either 'carmen: NAME' or 'world: FILE'")
+    sources = parts.keys() & {"carmen", "world", "random"}
+    if len(sources) != 1:
+        entry.fail("expected one of 'carmen: NAME', 'world: FILE' and 'random: KIND'")
+    if "random" in parts:
+        for key in parts.keys() - {"random"}:
+            parts[key].fail(f"'{key}' is not for random buildings")
+        return {name: _read_random(parts["random"])}
     if "world" in parts:
         for key in parts.keys() & {"stress", "size"}:
             parts[key].fail(f"'{key}' is for recorded datasets")
@@ -73,7 +79,7 @@ def read_datasets(name: str, entry: Entry, parts: dict[str, Entry], data: pathli
 
 def _read_stressed(kind: Entry, recorded: RecordedDataset,
                    size: float) -> RecordedDataset | StressedDataset:
-    known = _kinds_of_stress()
+    known = _kinds("stress_log")
     if kind.text() == UNSTRESSED:
         return recorded
     if kind.text() not in known:
@@ -81,7 +87,14 @@ def _read_stressed(kind: Entry, recorded: RecordedDataset,
     return StressedDataset(recorded, kind.text(), size)
 
 
-_kinds_of_stress = functools.cache(log_tools.kinds_of_stress)
+def _read_random(kind: Entry) -> RandomDataset:
+    known = _kinds("random_world")
+    if kind.text() not in known:
+        kind.fail(f"unknown kind of building '{kind.text()}'{did_you_mean(kind.text(), known)}")
+    return RandomDataset(kind.text())
+
+
+_kinds = functools.cache(log_tools.kinds)
 
 
 def _read_size(entry: Entry) -> float:

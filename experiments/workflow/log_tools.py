@@ -10,11 +10,20 @@ from yaml_entry import StudyError
 
 STRESS = commands.ROOT / "experiments" / "stress"
 RELATIONS = "log.relations"  # of a stressed log; beside it as a simulated log has its truth
-LOG_NAMES = {"simulate": "log.clf", "stress_log": "log.clf.gz"}
+SCRIPTS = ("random_world", "stress_log")
+LOG_NAMES = {"simulate": "log.clf", "random_world": "log.clf", "stress_log": "log.clf.gz"}
 
 
-def program(tool: str, binaries: pathlib.Path) -> pathlib.Path:
-    return STRESS / "stress_log.py" if tool == "stress_log" else binaries / tool
+def command(tool: str, argv: list[str], binaries: pathlib.Path) -> list[str]:
+    """The tool with these arguments, without those that say where the output goes."""
+    if tool not in SCRIPTS:
+        return [str(binaries / tool), *argv]
+    simulate = [f"--simulate={binaries / 'simulate'}"] if tool == "random_world" else []
+    return [str(_script(tool)), *argv, *simulate]
+
+
+def _script(tool: str) -> pathlib.Path:
+    return STRESS / f"{tool}.py"
 
 
 def output_arguments(tool: str, argv: list[str], folder: pathlib.Path) -> list[str]:
@@ -29,17 +38,20 @@ def output_arguments(tool: str, argv: list[str], folder: pathlib.Path) -> list[s
 
 def version(tool: str, binaries: pathlib.Path) -> str:
     """Changes when the tool may make another log."""
-    if tool != "stress_log":
-        return commands.version(program(tool, binaries))
+    if tool not in SCRIPTS:
+        return commands.version(binaries / tool)
     digest = hashlib.sha256()
     for file in sorted(STRESS.glob("*.py")):
         digest.update(file.read_bytes())
-    return f"stress_log.py {digest.hexdigest()[:16]}"
+    script = f"{tool}.py {digest.hexdigest()[:16]}"
+    if tool != "random_world":
+        return script
+    return f"{script}, simulate {commands.version(binaries / 'simulate')}"
 
 
-def kinds_of_stress() -> list[str]:
-    """As stress_log.py lists them."""
-    words = [sys.executable, STRESS / "stress_log.py", "--list"]
+def kinds(tool: str) -> list[str]:
+    """Of stresses or buildings, as the script lists them."""
+    words = [sys.executable, _script(tool), "--list"]
     done = subprocess.run(words, capture_output=True, text=True)
     if done.returncode != 0:
         said = done.stderr.strip().splitlines() or ["no message"]

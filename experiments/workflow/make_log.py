@@ -17,7 +17,7 @@ def main() -> None:
     tool, argv = plan["logs"][log_id]["tool"], plan["logs"][log_id]["argv"]
     binaries = pathlib.Path(plan["bin"])
     final = pathlib.Path("logs", log_id).absolute()
-    words = [str(log_tools.program(tool, binaries)), *argv]
+    words = log_tools.command(tool, argv, binaries)
     partial = results_folder.begin(final)
     try:
         status, error = commands.execute(

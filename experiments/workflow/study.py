@@ -20,7 +20,7 @@ __all__ = ["Configuration", "Run", "Study", "StudyError", "load_study"]
 FLAGS = datasets.ROOT / "experiments" / "flags"
 KEYS = ["title", "description", "datasets", "seeds", "flags", "variants", "axes", "metrics",
         "compare", "figures"]
-DATASET_KEYS = ["carmen", "stress", "size", "world", "path", "obstacles", "simulate"]
+DATASET_KEYS = ["carmen", "stress", "size", "world", "path", "obstacles", "simulate", "random"]
 SIMULATE = "simulate."  # begins the name of an axis over a flag of the simulator
 RESERVED = {
     "log": "the study's 'datasets'",
@@ -183,7 +183,7 @@ class _Reader:
                     name.removeprefix(SIMULATE), self.simulator_flags, datasets.RESERVED)
                 for dataset, source in sources.items():
                     if not isinstance(source, SimulatedDataset):
-                        values.fail(f"is for simulated datasets; '{dataset}' is a recorded one")
+                        values.fail(f"is for datasets with a 'world'; '{dataset}' has none")
             else:
                 flag, known, reserved = name, self.slam_flags, RESERVED
                 for label, others in [("'flags'", common)] + [

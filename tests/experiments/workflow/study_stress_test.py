@@ -95,7 +95,7 @@ class StudyStressTest(workflow_test_case.WorkflowTestCase):
 
     def test_an_axis_over_the_simulator_is_for_simulated_datasets(self):
         text = STUDY.replace("seeds: 1-2", "seeds: 1-2\n    axes: {simulate.scan_rate: [1, 2]}")
-        with self.assertRaisesRegex(StudyError, "is for simulated datasets; 'hall none' is a recorded"):
+        with self.assertRaisesRegex(StudyError, "is for datasets with a 'world'; 'hall none' has none"):
             self.load(text)
 
 
