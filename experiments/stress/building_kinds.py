@@ -29,22 +29,19 @@ def corridors(rng: np.random.Generator) -> FloorPlan:
     plan = room(length + 2 * joint, number * width + (number + 1) * depth, thickness)
     closed = rng.choice([0.2, 0.6, 0.9])
     for k in range(number + 1):
-        low = k * (depth + width)
-        first, last = (joint, joint + length) if 0 < k < number else (0, length + 2 * joint)
+        low, high = k * (depth + width), k * (depth + width) + depth
         for x in np.arange(joint, joint + length + pitch / 2, pitch):
-            plan.add_box(x - thickness / 2, low, x + thickness / 2, low + depth)
-        for y, is_wall in ((low, k > 0), (low + depth - thickness, k < number)):
-            if not is_wall:
-                continue
-            if joint and k in (0, number):
-                plan.add_box(first, y, joint, y + thickness)
-                plan.add_box(joint + length, y, last, y + thickness)
+            plan.add_box(x - thickness / 2, low, x + thickness / 2, high)
+        for y in ([low] if k > 0 else []) + ([high - thickness] if k < number else []):
+            if joint and k in (0, number):  # along the corridors across
+                plan.add_box(0, y, joint, y + thickness)
+                plan.add_box(joint + length, y, length + 2 * joint, y + thickness)
             for x in np.arange(joint, joint + length - pitch / 2, pitch):
-                middle = x + pitch / 2
-                plan.add_box(x, y, middle - door / 2, y + thickness)
-                plan.add_box(middle + door / 2, y, x + pitch, y + thickness)
-                if rng.random() < closed:  # a recess half as deep as a door is thick
-                    plan.add_box(middle - door / 2, y + 0.025, middle + door / 2, y + 0.075)
+                left, right = x + pitch / 2 - door / 2, x + pitch / 2 + door / 2
+                plan.add_box(x, y, left, y + thickness)
+                plan.add_box(right, y, x + pitch, y + thickness)
+                if rng.random() < closed:  # set back on both sides
+                    plan.add_box(left, y + 0.02, right, y + thickness - 0.02)
     return plan
 
 
