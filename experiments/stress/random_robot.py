@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A random robot: its laser, its wheels, how it drives and who walks about, as flags of `simulate`."""
+from typing import Any
+
 import numpy as np
 
 RADIUS_M = 0.2
@@ -12,7 +14,7 @@ RANGES_M = [4, 5.6, 8, 10, 12, 16, 20, 30]
 SCAN_RATES_HZ = [2, 4, 5, 8, 10, 15, 20]
 SPEEDS_M_S = [0.3, 0.5, 0.7, 1, 1.5, 2]
 
-Flags = dict[str, object]
+Flags = dict[str, Any]
 
 
 def draw_robot(rng: np.random.Generator) -> Flags:
