@@ -48,6 +48,10 @@ constexpr double kMoreUnknown = 0.3;
 // Of beams in doubt: fewer that do not fit prove nothing.
 constexpr double kFewBeams = 4.0;
 
+// Wheels that have proved to be so much surer than expected, in variances, tell the way where the
+// scan may not: door frames and rough walls would shorten a corridor all along.
+constexpr double kSureWheels = 3.0;
+
 // As far from where it began, a robot has driven and not only turned on the spot.
 constexpr double kSomeWay_m = 0.5;
 
@@ -205,9 +209,16 @@ MotionPrior LidarOdometry::MakePrior(const std::optional<WheelMotion>& wheels,
 // Fuses the scan with the guess.
 LidarOdometry::Match LidarOdometry::Track(const SE2& initial,
                                           const MotionHypothesis& hypothesis) const {
+  const auto align = [&](scan_matching::GaussNewton::Trust trust) {
+    return gauss_newton_.Align(map_.grid(), points_, initial, hypothesis.Information(), trust)
+        .world_T_robot;
+  };
   Match match;
-  match.odom_T_robot =
-      gauss_newton_.Align(map_.grid(), points_, initial, hypothesis.Information()).world_T_robot;
+  match.odom_T_robot = align(scan_matching::GaussNewton::Trust::kUsual);
+  if (hypothesis.gain_m > kSureWheels &&
+      !gauss_newton_.TellsPosition(map_.grid(), points_, match.odom_T_robot)) {
+    match.odom_T_robot = align(scan_matching::GaussNewton::Trust::kLeast);
+  }
   scan_matching::EndpointModel model(options_.endpoint, &map_.grid(), &points_);
   match.evidence = model.Evaluate(match.odom_T_robot);
   return match;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace gmapping_spa::frontend {
 namespace {
@@ -15,7 +16,11 @@ constexpr double kStraight_rad = 0.6;
 constexpr double kTold_m = 1e-3;  // wheels that tell less are silent
 
 constexpr std::size_t kStretches = 6;
-constexpr double kGross = 1.3;      // a factor that no slip explains
+constexpr double kGross = 1.3;  // a factor that no slip explains for long
+// Scans that are matched wrongly for some meters, where wheels slip as well, can feign a smaller
+// factor than this: it takes more stretches.
+constexpr double kPlain = 2.0;
+constexpr std::size_t kStretchesIfSmall = 18;
 constexpr double kSame = 1.15;      // factors of two stretches
 constexpr double kMostAgree = 0.8;  // part of the stretches that has to say the same
 
@@ -62,15 +67,26 @@ bool OdometryScale::Add(const backend::SE2& told, const backend::SE2& motion) {
 
 void OdometryScale::Skip() { told_ = motion_ = {}; }
 
-bool OdometryScale::Learn() {
-  if (log_ratios_.size() < kStretches) return false;
-  std::vector<double> sorted = log_ratios_;
-  log_ratios_.erase(log_ratios_.begin());
-  std::ranges::nth_element(sorted, sorted.begin() + kStretches / 2);
-  double factor = std::exp(sorted[kStretches / 2]);
+// What the last `count` stretches say; nothing where they disagree.
+std::optional<double> OdometryScale::FactorOf(std::size_t count) const {
+  if (log_ratios_.size() < count) return std::nullopt;
+  std::vector<double> sorted(log_ratios_.end() - static_cast<std::ptrdiff_t>(count),
+                             log_ratios_.end());
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::ranges::nth_element(sorted, middle);
+  const double factor = std::exp(*middle);
   const auto agree = std::ranges::count_if(
       sorted, [factor](double log_ratio) { return Ratio(std::exp(log_ratio), factor) < kSame; });
-  if (agree < kMostAgree * kStretches) return false;
+  if (static_cast<double>(agree) < kMostAgree * static_cast<double>(count)) return std::nullopt;
+  return factor;
+}
+
+bool OdometryScale::Learn() {
+  if (log_ratios_.size() > kStretchesIfSmall) log_ratios_.erase(log_ratios_.begin());
+  std::optional<double> found = FactorOf(kStretches);
+  if (found && Ratio(*found, factor_) < kPlain) found = FactorOf(kStretchesIfSmall);
+  if (!found) return false;
+  double factor = *found;
   const bool is_gross = Ratio(factor, factor_) > kGross;
   if (Ratio(factor, 1.0) < kSame) factor = 1.0;
   for (const Unit& unit : kUnits) {

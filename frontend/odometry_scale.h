@@ -3,6 +3,8 @@
 #ifndef GMAPPING_SPA_FRONTEND_ODOMETRY_SCALE_H_
 #define GMAPPING_SPA_FRONTEND_ODOMETRY_SCALE_H_
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "backend/se2.h"
@@ -32,6 +34,7 @@ class OdometryScale {
   }
 
  private:
+  std::optional<double> FactorOf(std::size_t count) const;
   bool Learn();
 
   double factor_ = 1.0;

@@ -7,7 +7,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "frontend/map/beam_blocks.h"
 #include "frontend/map/cell_block.h"
@@ -78,9 +77,7 @@ Eigen::Matrix2f AcrossWall(const LocalSurface& surface, float noise_cells) {
   return information;
 }
 
-// How far normals of hit means are believed: what is no wall but looks like one may be the noise of
-// the ranges, or a rough wall. Poses take it for the latter.
-enum class Trust : std::uint8_t { kUsual, kLeast };
+using Trust = GaussNewton::Trust;
 
 // Of the normal of hit means, rad^2.
 double MapNormalVariance(const LocalSurface& surface, Trust trust) {
@@ -161,13 +158,14 @@ GaussNewton::GaussNewton(const Options& options) : options_(options) {
 
 GaussNewton::Alignment GaussNewton::Align(const map::OccupancyGrid& grid, const ScanPoints& points,
                                           const SE2& initial_world_T_robot,
-                                          const Eigen::Matrix3d& prior_information) const {
+                                          const Eigen::Matrix3d& prior_information,
+                                          Trust trust) const {
   map::BeamBlocks blocks(points.size());
   Alignment alignment{.world_T_robot = initial_world_T_robot};
   SE2& pose = alignment.world_T_robot;
   for (int iteration = 0; iteration < options_.max_iterations; ++iteration) {
-    const NormalEquations sum =
-        Linearize(grid, points, pose, options_.noise_sigma_m, options_.robust_sigmas, &blocks);
+    const NormalEquations sum = Linearize(grid, points, pose, options_.noise_sigma_m,
+                                          options_.robust_sigmas, &blocks, trust);
     alignment.world_information = sum.hessian;
     alignment.inliers = sum.inliers;
     const Eigen::Vector3d from_initial = Minus(pose, initial_world_T_robot);

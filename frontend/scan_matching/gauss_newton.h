@@ -4,6 +4,7 @@
 #define GMAPPING_SPA_FRONTEND_SCAN_MATCHING_GAUSS_NEWTON_H_
 
 #include <Eigen/Core>
+#include <cstdint>
 
 #include "backend/se2.h"
 #include "frontend/map/occupancy_grid.h"
@@ -33,6 +34,10 @@ class GaussNewton {
     double inliers = 0.0;  // sum of the robust weights, of at most the number of points
   };
 
+  // How far normals of hit means are believed: what is no wall but looks like one may be the noise
+  // of the ranges, or a rough wall. Usually poses take it for the latter.
+  enum class Trust : std::uint8_t { kUsual, kLeast };
+
   explicit GaussNewton(const Options& options);
 
   // The minimum itself, however well it fits. `prior_information`: how sure the initial pose is
@@ -40,7 +45,7 @@ class GaussNewton {
   // the motion along it.
   Alignment Align(const map::OccupancyGrid& grid, const ScanPoints& points,
                   const backend::SE2& initial_world_T_robot,
-                  const Eigen::Matrix3d& prior_information) const;
+                  const Eigen::Matrix3d& prior_information, Trust trust = Trust::kUsual) const;
 
   // A prior that decides nothing that any beam has a say in.
   static Eigen::Matrix3d WeakPrior() { return 1e-3 * Eigen::Matrix3d::Identity(); }

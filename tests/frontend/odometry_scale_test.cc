@@ -59,7 +59,7 @@ TEST_F(OdometryScaleOnADrive, AWrongNumberOfTicksIsFoundUpToNoise) {
 TEST_F(OdometryScaleOnADrive, WhatIsNearlyAUnitAtFirstBecomesOne) {
   EXPECT_EQ(Drive(60, 3.0), 1);
   EXPECT_STREQ(scale_.unit(), "");
-  EXPECT_EQ(Drive(100, 3.28), 1);
+  EXPECT_EQ(Drive(150, 3.28), 1);
   EXPECT_STREQ(scale_.unit(), "feet");
 }
 
@@ -76,6 +76,15 @@ TEST_F(OdometryScaleOnADrive, FewStretchesOrStretchesThatDisagreeProveNothing) {
   scale_ = {};
   for (int k = 0; k < 40; ++k) EXPECT_EQ(Drive(8, k % 2 == 0 ? 3.28 : 1.0), 0);
   EXPECT_EQ(scale_.factor(), 1.0);
+}
+
+TEST_F(OdometryScaleOnADrive, ASmallFactorTakesMoreStretchesThanAPlainOne) {
+  EXPECT_EQ(Drive(50, 0.6), 0);
+  EXPECT_EQ(Drive(60, 1.0), 0);
+  scale_ = {};
+  EXPECT_EQ(Drive(50, 0.3), 1);
+  scale_ = {};
+  EXPECT_EQ(Drive(120, 0.6), 1);
 }
 
 TEST_F(OdometryScaleOnADrive, WhatIsJustGrossIsNotTakenBackAndForth) {

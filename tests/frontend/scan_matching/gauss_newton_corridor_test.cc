@@ -55,6 +55,16 @@ TEST_P(GaussNewtonInCorridor, ScanIsMovedAcrossAndLeftWhereItIsAlong) {
   }
 }
 
+// In the corridor, all round.
+sensor::LaserScan NoisyScan(const SE2& pose, int beams, double noise_m,
+                            backend::CounterRandom* random) {
+  sensor::LaserScan scan = synthetic::Scan(
+      synthetic::Corridor(pose.theta), pose,
+      {.beams = beams, .field_of_view_rad = 2.0 * std::numbers::pi * (beams - 1) / beams});
+  for (sensor::Beam& beam : scan.beams) beam.range_m += noise_m * random->Gaussian();
+  return scan;
+}
+
 // Noise turns the normals of a wall this way and that: all of them together must not say where the
 // robot is along it.
 TEST_P(GaussNewtonInCorridor, NoisyRangesLeaveTheWayAlongItToThePrior) {
@@ -62,11 +72,7 @@ TEST_P(GaussNewtonInCorridor, NoisyRangesLeaveTheWayAlongItToThePrior) {
   backend::CounterRandom random(6, 0);
   const SE2 heading{0, 0, direction_rad};
   const auto noisy = [&](const SE2& pose, int beams) {
-    sensor::LaserScan scan = synthetic::Scan(
-        synthetic::Corridor(direction_rad), pose,
-        {.beams = beams, .field_of_view_rad = 2.0 * std::numbers::pi * (beams - 1) / beams});
-    for (sensor::Beam& beam : scan.beams) beam.range_m += 0.01 * random.Gaussian();
-    return scan;
+    return NoisyScan(pose, beams, 0.01, &random);
   };
   for (const int beams : {24, 60, 360}) {
     map::OccupancyGrid grid({});
@@ -87,6 +93,34 @@ TEST_P(GaussNewtonInCorridor, NoisyRangesLeaveTheWayAlongItToThePrior) {
     // On average it goes nowhere, neither back to the truth nor on.
     EXPECT_NEAR(sum / 20, 0.0, 0.02) << beams;
   }
+}
+
+TEST_P(GaussNewtonInCorridor, WhoTrustsLeastStaysAtThePriorAlongItWhateverTheNoise) {
+  backend::CounterRandom random(6, 0);
+  const SE2 heading{0, 0, GetParam()};
+  const auto noisy = [&](const SE2& pose) { return NoisyScan(pose, 720, 0.03, &random); };
+  map::OccupancyGrid grid({});
+  for (int i = -4; i <= 4; ++i) {
+    const SE2 pose = heading * SE2{0.5 * i, 0, 0};
+    map::InsertScan(noisy(pose), pose, {}, &grid);
+  }
+  const GaussNewton gauss_newton({});
+  double usual_m = 0.0;
+  for (int trial = 0; trial < 20; ++trial) {
+    const SE2 truth = heading * SE2{0.03 * trial, 0.1, 0};
+    const SE2 start = truth * SE2{0.1, 0.02, 0};
+    const ScanPoints points = MakeScanPoints(noisy(truth));
+    const auto align = [&](GaussNewton::Trust trust) {
+      const Eigen::Matrix3d prior = backend::InformationFromSigmas(0.05, 0.02);
+      return gauss_newton.Align(grid, points, start, prior, trust).world_T_robot;
+    };
+    EXPECT_FALSE(gauss_newton.TellsPosition(grid, points, truth));
+    const SE2 aligned = align(GaussNewton::Trust::kLeast);
+    EXPECT_NEAR(Between(start, aligned).x, 0.0, 0.001);
+    EXPECT_NEAR(Between(truth, aligned).y, 0.0, 0.01);
+    usual_m += std::abs(Between(start, align(GaussNewton::Trust::kUsual)).x) / 20;
+  }
+  EXPECT_GT(usual_m, 0.002);  // the noise of the normals moves a scan that is usually trusted
 }
 
 }  // namespace
