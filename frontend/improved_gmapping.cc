@@ -60,7 +60,8 @@ void ImprovedGmapping::Process(const sensor::LaserScan& measured, ScanResult* re
   noise_since_update_ = std::max(noise_since_update_, motion.noise);
   archive_.set_sweep_s(control_.sweep_s());
   const sensor::LaserScan scan = sensor::Deskew(measured, control_.sweep_s() * motion.velocity);
-  area_.Extend(scan, odom_T_scan_);
+  // In the frame of the map: odometry alone may drift much farther.
+  area_.Extend(scan, node_scans_.empty() ? odom_T_scan_ : CurrentPose());
   archive_.Add(measured, motion.velocity);
   is_lost_.push_back(!motion.matched);
   ++counts_.scans;
