@@ -117,9 +117,18 @@ void ControlInput::ReportBlind(const sensor::LaserScan& scan) {
   blind_stamps_s_.clear();
 }
 
-// Once, and once more where the log is wrong about it.
+// Once, and once more where the log is wrong about it, or it was no sweep.
 void ControlInput::ReportSweep(const sensor::LaserScan& scan) {
-  if (options_.lidar_odometry.sweep_duration_s || sweep_s() == 0.0) return;
+  if (options_.lidar_odometry.sweep_duration_s) return;
+  if (sweep_s() == 0.0) {
+    if (has_reported_sweep_) {
+      health_->Report("sweep_given_up", scan.stamp_s,
+                      "scans no longer bend while the robot turns as they seemed to: they are not "
+                      "deskewed from here on, none of them in the end");
+    }
+    has_reported_sweep_ = false;
+    return;
+  }
   const auto milliseconds = [](double duration_s) {
     return std::to_string(std::lround(1e3 * std::abs(duration_s))) + " ms";
   };

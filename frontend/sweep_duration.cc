@@ -19,27 +19,32 @@ namespace {
 
 // How fast a robot moves, rad/s: a metre at this distance counts as a radian.
 constexpr double kDistance_m = 2.0;
-constexpr double kSlow = 0.2;       // motions slower than this bend nothing
-constexpr double kStraight = 0.15;  // turns slower than this, little, and alike for long
-constexpr double kFaster = 0.35;    // than the reference: the scan may show the duration
+constexpr double kStraight = 0.15;  // turns slower than this bend little, and alike for long
+constexpr double kFaster = 0.35;    // turns than the reference: the scan may show the duration
 constexpr double kSteady = 0.6;     // part by which the velocity may change in an interval
 constexpr double kLongest_s = 1.5;  // since the reference
-// Durations to begin with. The slowest common lasers turn 5 times a second.
+// Durations to begin with: up to the time between two scans, within limits. Common lasers turn
+// 5 times a second or more.
 constexpr double kStep_s = 0.025;
-constexpr double kLongestSweep_s = 0.2;
+constexpr double kUsualSweep_s = 0.2;
+constexpr double kLongestSweep_s = 0.6;
 
 // A measurement counts when so many beams, as a part of all, fit, and its standard deviation is at
-// most this; beams side by side are off together.
+// most this, or that part of it; beams side by side are off together.
 constexpr double kFits = 0.4;
 constexpr double kBeamsThatCountAsOne = 20.0;
 constexpr double kMaxSigma_s = 0.05;
+constexpr double kMaxSigma = 0.5;
 constexpr double kMostInformation = kBeamsThatCountAsOne / (0.01 * 0.01);
 
-// A duration is the median of so many measurements, and proven by so many that agree.
+// A duration is the median of so many measurements, and proven by so many that agree and are
+// together so sure.
 constexpr std::size_t kMeasurements = 31;
 constexpr int kOneIn = 15;  // chances to measure is taken when there are that many
 constexpr std::size_t kProvenBy = 3;
-constexpr double kAgreeing = 0.8;      // part of the measurements that must
+constexpr double kSure = 1.5;          // standard deviations from zero
+constexpr double kAgreeing = 0.7;      // part of the measurements
+constexpr double kDisproving = 0.5;    // with a lower part that agrees, it was chance
 constexpr double kShortest_s = 0.015;  // shorter ones bend no scan that a map would show
 constexpr double kFarOff_s = 0.03;     // what is told is more exact than what is measured
 
@@ -82,50 +87,61 @@ void SweepDuration::Learn(const sensor::LaserScan& scan, const SE2& odom_T_robot
     const double change = Speed(velocity - latest_.velocity);
     latest_.velocity = 0.5 * (latest_.velocity + velocity);
     const double speed = Speed(latest_.velocity);
-    const bool is_straight = std::abs(latest_.velocity.z()) < kStraight;
-    Reference& reference = is_straight ? slow_ : straight_;
-    if (!reference.at.scan.beams.empty() && change < kSteady * speed &&
-        speed > Speed(reference.at.velocity) + kFaster &&
-        latest_.scan.stamp_s - reference.at.scan.stamp_s < kLongest_s) {
+    const double turn_rad_s = std::abs(latest_.velocity.z());
+    if (!straight_.at.scan.beams.empty() && change < kSteady * speed &&
+        turn_rad_s > std::abs(straight_.at.velocity.z()) + kFaster &&
+        latest_.scan.stamp_s - straight_.at.scan.stamp_s < kLongest_s) {
       const bool is_settled = measurements_.size() == kMeasurements;
-      if (!is_settled || ++chances_ % kOneIn == 0) Measure(&reference);
+      if (!is_settled || ++chances_ % kOneIn == 0) Measure(scan.stamp_s - latest_.scan.stamp_s);
     }
-    if (is_straight) straight_ = {latest_, {}};
-    if (speed < kSlow) slow_ = {latest_, {}};
+    if (turn_rad_s < kStraight) straight_ = {latest_, {}};
   }
   latest_ = {scan, odom_T_robot, velocity};
 }
 
-void SweepDuration::Measure(Reference* reference) {
-  if (!reference->grid) {
-    reference->grid.emplace(grid_options_);
-    map::InsertScan(sensor::Deskew(reference->at.scan, value_s_ * reference->at.velocity),
-                    reference->at.odom_T_robot, {}, &*reference->grid);
+void SweepDuration::Measure(double interval_s) {
+  if (!straight_.grid) {
+    straight_.grid.emplace(grid_options_);
+    map::InsertScan(sensor::Deskew(straight_.at.scan, value_s_ * straight_.at.velocity),
+                    straight_.at.odom_T_robot, {}, &*straight_.grid);
   }
   const scan_matching::ScanPoints points = scan_matching::MakeScanPoints(latest_.scan);
   SweepFit best;
-  for (double sweep_s = -kLongestSweep_s; sweep_s <= kLongestSweep_s + 1e-9; sweep_s += kStep_s) {
+  const double longest_s = std::clamp(interval_s, kUsualSweep_s, kLongestSweep_s);
+  for (double sweep_s = -longest_s; sweep_s <= longest_s + 1e-9; sweep_s += kStep_s) {
     const SweepFit fit =
-        FitSweep(*reference->grid, points, latest_.velocity,
+        FitSweep(*straight_.grid, points, latest_.velocity,
                  {.world_T_robot = latest_.odom_T_robot, .sweep_s = sweep_s}, gauss_newton_);
     if (fit.inliers > best.inliers) best = fit;
   }
+  const double max_sigma_s = std::max(kMaxSigma_s, kMaxSigma * std::abs(best.sweep_s));
   if (best.inliers < kFits * static_cast<double>(points.size()) ||
-      best.information * kMaxSigma_s * kMaxSigma_s < kBeamsThatCountAsOne) {
+      best.information * max_sigma_s * max_sigma_s < kBeamsThatCountAsOne) {
     return;
   }
   measurements_.push_back({best.sweep_s, std::min(best.information, kMostInformation)});
   if (measurements_.size() > kMeasurements) measurements_.pop_front();
+  Conclude();
+}
+
+void SweepDuration::Conclude() {
   const double median_s = WeightedMedian(measurements_);
+  double information = 0.0;
+  for (const Measurement& measured : measurements_) information += measured.information;
   const auto agreeing =
       std::count_if(measurements_.begin(), measurements_.end(), [&](const Measurement& measured) {
         return std::abs(measured.sweep_s - median_s) < 0.5 * std::abs(median_s);
       });
+  const auto part = static_cast<double>(agreeing) / static_cast<double>(measurements_.size());
   if (measurements_.size() >= kProvenBy && std::abs(median_s) > kShortest_s &&
-      static_cast<double>(agreeing) >= kAgreeing * static_cast<double>(measurements_.size())) {
+      median_s * median_s * information > kSure * kSure * kBeamsThatCountAsOne &&
+      part >= kAgreeing) {
     is_proven_ =
         std::abs(median_s - told_s_) > (told_s_ > 0.0 ? std::max(kFarOff_s, 0.5 * told_s_) : 0.0);
     value_s_ = is_proven_ ? median_s : told_s_;
+  } else if (part < kDisproving) {
+    is_proven_ = false;
+    value_s_ = told_s_;
   }
 }
 

@@ -38,7 +38,7 @@ class SweepDuration {
   // The poses of the scans to come are those of another frame.
   void BeginFrame() {
     latest_ = {};
-    slow_ = straight_ = {};
+    straight_ = {};
   }
 
   // A scan as it was measured, where it was matched. `velocity`: of the robot, a twist in its frame
@@ -50,7 +50,8 @@ class SweepDuration {
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(latest_, chances_, measurements_, is_known_, is_proven_, told_s_, value_s_);
-    for (Reference* reference : {&slow_, &straight_}) {
+    Reference of_before;  // sessions of version 1 have had two
+    for (Reference* reference : {&of_before, &straight_}) {
       bool has_map = reference->grid.has_value();  // by what value_s_ was when it was made
       archive(reference->at, has_map);
       if (!has_map) continue;
@@ -78,7 +79,7 @@ class SweepDuration {
   };
   struct Measurement {
     double sweep_s;
-    double information;
+    double information;  // 1/s^2, as if all beams were independent
 
     template <typename Archive>
     void serialize(Archive& archive) {
@@ -87,13 +88,13 @@ class SweepDuration {
   };
 
   static double WeightedMedian(std::deque<Measurement> measurements);
-  void Measure(Reference* reference);
+  void Measure(double interval_s);
+  void Conclude();
 
   map::OccupancyGrid::Options grid_options_;
   scan_matching::GaussNewton::Options gauss_newton_;
   // Waits for the next one, as half of its sweep comes after its stamp.
   MatchedScan latest_;
-  Reference slow_;                        // the last one of a robot that stood still, or nearly
   Reference straight_;                    // the last one of a robot that did not turn
   int chances_ = 0;                       // to measure, since there are enough
   std::deque<Measurement> measurements_;  // lately

@@ -28,22 +28,43 @@ TEST_F(ControlInputInARoom, NothingIsReportedWhereAllIsWell) {
   }
 }
 
-TEST_F(ControlInputInARoom, SaysOnceThatScansAreDeskewed) {
-  Start(OdometrySource::kLidar);
-  constexpr double kSweep_s = 0.08, kInterval_s = 0.1;
-  SE2 pose;
-  for (int k = 0; k < 60; ++k) {
-    const Eigen::Vector3d velocity(0.0, 0.0, k < 20 ? 0.0 : 1.0);
-    pose = pose * backend::Exp(kInterval_s * velocity);
-    sensor::LaserScan scan = synthetic::ScanOnTheMove(synthetic::Room(), pose, kSweep_s * velocity);
-    scan.stamp_s = 100.0 + kInterval_s * k;
-    scan.odom_T_robot = pose;
-    Take(scan);
+class ControlInputOfASlowLaser : public ControlInputInARoom {
+ protected:
+  // So many scans of a robot that stands still, and of one that turns.
+  void StandAndTurn(double sweep_s, int stand, int turn) {
+    constexpr double kInterval_s = 0.1;
+    for (int k = 0; k < stand + turn; ++k) {
+      const Eigen::Vector3d velocity(0.0, 0.0, k < stand ? 0.0 : 1.0);
+      pose_ = pose_ * backend::Exp(kInterval_s * velocity);
+      sensor::LaserScan scan =
+          synthetic::ScanOnTheMove(synthetic::Room(), pose_, sweep_s * velocity);
+      scan.stamp_s = stamp_s_ += kInterval_s;
+      scan.odom_T_robot = pose_;
+      Take(scan);
+    }
   }
+
+  SE2 pose_;
+  double stamp_s_ = 100.0;
+};
+
+TEST_F(ControlInputOfASlowLaser, SaysOnceThatScansAreDeskewed) {
+  Start(OdometrySource::kLidar);
+  constexpr double kSweep_s = 0.08;
+  StandAndTurn(kSweep_s, 20, 40);
   EXPECT_EQ(Findings(), Kinds{"scans_deskewed"});
   EXPECT_EQ(health_.findings().at("scans_deskewed").count, 1);
   EXPECT_THAT(health_.findings().at("scans_deskewed").message, testing::HasSubstr(" ms"));
   EXPECT_NEAR(control_->sweep_s(), kSweep_s, 0.01);
+}
+
+TEST_F(ControlInputOfASlowLaser, SaysThatItWasNone) {
+  Start(OdometrySource::kLidar);
+  StandAndTurn(0.08, 20, 8);
+  for (int turn = 0; turn < 4; ++turn) StandAndTurn(0.0, 10, 12);
+  EXPECT_EQ(Findings(), (Kinds{"scans_deskewed", "sweep_given_up"}));
+  EXPECT_EQ(health_.findings().at("sweep_given_up").count, 1);
+  EXPECT_EQ(control_->sweep_s(), 0.0);
 }
 
 TEST_F(ControlInputInARoom, WheelsAreTakenAsTheyAreIfThatIsAskedForButNotWithoutAWord) {

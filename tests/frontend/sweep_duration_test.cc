@@ -15,8 +15,6 @@ namespace {
 
 using backend::SE2;
 
-constexpr double kInterval_s = 0.15;
-
 // A robot in a room that stands still, turns on the spot, and stands again, its poses well known.
 class TurningOnTheSpot : public testing::Test {
  protected:
@@ -24,19 +22,22 @@ class TurningOnTheSpot : public testing::Test {
     for (int k = 0; k < scans; ++k) {
       // Stands for two scans; then up to speed and down again, within two scans each.
       const double part = std::clamp(0.5 * std::min(k - 1, scans - 1 - k), 0.0, 1.0);
-      const Eigen::Vector3d velocity(0.0, 0.0, part * turn_rad_s);
-      pose_ = pose_ * backend::Exp(kInterval_s * velocity);
-      sensor::LaserScan scan =
-          synthetic::ScanOnTheMove(synthetic::Room(), pose_, sweep_s * velocity);
-      for (sensor::Beam& beam : scan.beams) beam.range_m += 0.01 * random_.Gaussian();
-      scan.stamp_s = stamp_s_ += kInterval_s;
-      sweep_.Learn(scan, pose_, velocity);
+      Go(synthetic::Room(), sweep_s, {0.0, 0.0, part * turn_rad_s});
     }
+  }
+
+  void Go(const synthetic::Walls& walls, double sweep_s, const Eigen::Vector3d& velocity) {
+    pose_ = pose_ * backend::Exp(interval_s_ * velocity);
+    sensor::LaserScan scan = synthetic::ScanOnTheMove(walls, pose_, sweep_s * velocity);
+    for (sensor::Beam& beam : scan.beams) beam.range_m += 0.01 * random_.Gaussian();
+    scan.stamp_s = stamp_s_ += interval_s_;
+    sweep_.Learn(scan, pose_, velocity);
   }
 
   SweepDuration sweep_{{}, {}, std::nullopt};
   SE2 pose_;
   double stamp_s_ = 5.0;
+  double interval_s_ = 0.15;
   backend::CounterRandom random_{1, 0};
 };
 
@@ -97,6 +98,19 @@ TEST_F(TurningOnTheSpot, PosesOfTwoFramesAreNotMixedUp) {
     sweep_.BeginFrame();
     pose_ = pose_ * SE2{0.3, 0.2, 0.15};
   }
+  EXPECT_EQ(sweep_.value_s(), 0.0);
+}
+
+TEST_F(TurningOnTheSpot, OfASlowLaserIsAsLongAsTheTimeBetweenScans) {
+  interval_s_ = 0.3;
+  for (int turn = 0; turn < 2; ++turn) Turn(0.3, turn % 2 == 0 ? 0.6 : -0.6, 12);
+  EXPECT_NEAR(sweep_.value_s(), 0.3, 0.03);
+}
+
+TEST_F(TurningOnTheSpot, IsGivenUpWhereItWasChance) {
+  Turn(0.1, 1.2, 9);
+  ASSERT_NE(sweep_.value_s(), 0.0);
+  for (int turn = 0; turn < 4; ++turn) Turn(0.0, turn % 2 == 0 ? 1.2 : -0.8, 12);
   EXPECT_EQ(sweep_.value_s(), 0.0);
 }
 
