@@ -48,10 +48,6 @@ constexpr double kMoreUnknown = 0.3;
 // Of beams in doubt: fewer that do not fit prove nothing.
 constexpr double kFewBeams = 4.0;
 
-// Wheels that have proved to be so much surer than expected, in variances, tell the way where the
-// scan may not: door frames and rough walls would shorten a corridor all along.
-constexpr double kSureWheels = 3.0;
-
 // As far from where it began, a robot has driven and not only turned on the spot.
 constexpr double kSomeWay_m = 0.5;
 
@@ -160,7 +156,7 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
     result.noise = 1.0 / std::sqrt(std::min(guess->gain_m, guess->gain_rad));
   }
   if (guess) {
-    wheel_trust_.Learn(result.motion, prior.hypotheses().front());
+    wheel_trust_.Learn(result.motion, prior.hypotheses().front(), best.tells_position);
   } else {
     wheel_trust_.Learn(result.motion);
   }
@@ -168,8 +164,7 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   result.wheels_turn_only =
       wheel_trust_.tells_turns_only() && odom_T_robot_.translation().norm() > kSomeWay_m;
   const bool wheels_tell = guess && guess->tells_way && !result.wheels_rejected;
-  result.unobserved = !wheels_tell && !points_.empty() &&
-                      !gauss_newton_.TellsPosition(map_.grid(), points_, odom_T_robot_);
+  result.unobserved = !wheels_tell && !points_.empty() && !best.tells_position;
   result.wheels_late = guess && wheel_trust_.late();
   result.wheels_mirrored = wheel_trust_.mirrored();
   double sum = 0.0;
@@ -206,7 +201,8 @@ MotionPrior LidarOdometry::MakePrior(const std::optional<WheelMotion>& wheels,
           std::max(duration_s, usual_duration_s_)};
 }
 
-// Fuses the scan with the guess.
+// Fuses the scan with the guess. Wheels tell the way where the scan may not: door frames and rough
+// walls would shorten a corridor all along.
 LidarOdometry::Match LidarOdometry::Track(const SE2& initial,
                                           const MotionHypothesis& hypothesis) const {
   const auto align = [&](scan_matching::GaussNewton::Trust trust) {
@@ -215,8 +211,8 @@ LidarOdometry::Match LidarOdometry::Track(const SE2& initial,
   };
   Match match;
   match.odom_T_robot = align(scan_matching::GaussNewton::Trust::kUsual);
-  if (hypothesis.gain_m > kSureWheels &&
-      !gauss_newton_.TellsPosition(map_.grid(), points_, match.odom_T_robot)) {
+  match.tells_position = gauss_newton_.TellsPosition(map_.grid(), points_, match.odom_T_robot);
+  if (hypothesis.tells_way && !match.tells_position) {
     match.odom_T_robot = align(scan_matching::GaussNewton::Trust::kLeast);
   }
   scan_matching::EndpointModel model(options_.endpoint, &map_.grid(), &points_);

@@ -111,6 +111,7 @@ class LidarOdometry {
   struct Match {
     backend::SE2 odom_T_robot;
     scan_matching::Evidence evidence;
+    bool tells_position = true;  // whether the scan surely binds it in every direction
     double log_posterior = 0.0;  // up to a constant
   };
 

@@ -9,6 +9,12 @@ namespace gmapping_spa::frontend {
 
 using backend::SE2;
 
+namespace {
+
+constexpr double kAboutAsExpected = 1.5;  // standard deviations, where 1 are expected
+
+}  // namespace
+
 Eigen::Matrix3d MotionHypothesis::Information() const {
   const Eigen::Array3d gain(gain_m, gain_m, gain_rad);
   const Eigen::Array3d sigma(sigma_m, sigma_m, sigma_rad);
@@ -48,6 +54,7 @@ MotionPrior::MotionPrior(const Options& options, const std::optional<WheelMotion
          .sigma_rad = wheels->sigma_factor * (options.floor_rad + options.rad_per_m * linear_m +
                                               options.rad_per_rad * angular_rad),
          .weight = 1.0 - wheels->wrong,
+         .tells_way = wheels->tells_way && wheels->sigma_factor < kAboutAsExpected,
          .gain_m = wheels->gain_m,
          .gain_rad = wheels->gain_rad});
   }

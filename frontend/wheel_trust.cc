@@ -60,14 +60,14 @@ std::optional<WheelMotion> WheelTrust::Guess(const sensor::OdometryCheck::Step& 
                      .gain_rad = Gain(block_error_rad_)};
 }
 
-void WheelTrust::Learn(const SE2& motion, const MotionHypothesis& guess) {
+void WheelTrust::Learn(const SE2& motion, const MotionHypothesis& guess, bool tells_position) {
   // The deviations expected of the wheels, without the factor of mistrust; three dimensions.
   MotionHypothesis plain = guess;
   const double factor = std::sqrt(std::max(late() ? late_error_ : step_error_, 1.0));
   plain.sigma_m /= factor;
   plain.sigma_rad /= factor;
   plain.motion = step_;
-  LearnBlock(motion, plain);
+  LearnBlock(motion, plain, tells_position);
   const double step_error = std::min(plain.SquaredDistance(motion) / 3.0, kMaxError);
   plain.motion = Owed();
   const double late_error = std::min(plain.SquaredDistance(motion) / 3.0, kMaxError);
@@ -86,13 +86,15 @@ void WheelTrust::Learn(const SE2& motion, const MotionHypothesis& guess) {
   Learn(motion);
 }
 
-// `plain`: the wheels' step with the deviations expected of it.
-void WheelTrust::LearnBlock(const SE2& motion, const MotionHypothesis& plain) {
+// `plain`: the wheels' step with the deviations expected of it. Where the scan may not tell the
+// way, it is no judge of the wheels' way: a corridor that is shortened would make good wheels bad.
+void WheelTrust::LearnBlock(const SE2& motion, const MotionHypothesis& plain, bool tells_position) {
   block_wheels_ = block_wheels_ * plain.motion;
-  block_motion_ = block_motion_ * motion;
+  block_motion_ =
+      block_motion_ * (tells_position ? motion : SE2{plain.motion.x, plain.motion.y, motion.theta});
   calibration_.Add(raw_step_, motion);
   if (!Moves(plain.motion)) return;
-  block_variance_m2_ += plain.sigma_m * plain.sigma_m;
+  if (tells_position) block_variance_m2_ += plain.sigma_m * plain.sigma_m;
   block_variance_rad2_ += plain.sigma_rad * plain.sigma_rad;
   if (++block_scans_ < kBlockScans) return;
   const SE2 off = Between(block_wheels_, block_motion_);
@@ -100,7 +102,9 @@ void WheelTrust::LearnBlock(const SE2& motion, const MotionHypothesis& plain) {
   const auto learn = [share](double error, double* mean) {
     *mean += share * (std::min(error, kMaxBlockError) - *mean);
   };
-  learn(off.translation().squaredNorm() / (2.0 * block_variance_m2_), &block_error_m_);
+  if (block_variance_m2_ > 0.0) {
+    learn(off.translation().squaredNorm() / (2.0 * block_variance_m2_), &block_error_m_);
+  }
   learn(off.theta * off.theta / block_variance_rad2_, &block_error_rad_);
   calibration_.Learn(block_variance_rad2_);
   block_wheels_ = block_motion_ = {};

@@ -21,8 +21,9 @@ class WheelTrust {
   std::optional<WheelMotion> Guess(const sensor::OdometryCheck::Step& wheels,
                                    const backend::SE2& same_velocity);
 
-  // `motion`: what it was, after all. `guess`: the hypothesis made of Guess.
-  void Learn(const backend::SE2& motion, const MotionHypothesis& guess);
+  // `motion`: what it was, after all. `guess`: the hypothesis made of Guess. `tells_position`:
+  // whether the scan surely tells how far the robot has gone.
+  void Learn(const backend::SE2& motion, const MotionHypothesis& guess, bool tells_position);
   // The same where Guess had nothing to say.
   void Learn(const backend::SE2& motion);
 
@@ -55,7 +56,7 @@ class WheelTrust {
   static constexpr double kOpposite = 0.8;
 
   backend::SE2 Owed() const { return owed_ * step_; }
-  void LearnBlock(const backend::SE2& motion, const MotionHypothesis& plain);
+  void LearnBlock(const backend::SE2& motion, const MotionHypothesis& plain, bool tells_position);
 
   WheelCalibration calibration_;
   backend::SE2 raw_step_;  // of the wheels at this scan

@@ -21,10 +21,12 @@ constexpr Wheels kUnchanged{{}, OdometryFault::kUnchanged};
 class WheelTrustOnADrive : public testing::Test {
  protected:
   // One scan: what the wheels say, and what the motion was after all.
-  std::optional<WheelMotion> Take(const Wheels& wheels, const SE2& motion) {
+  std::optional<WheelMotion> Take(const Wheels& wheels, const SE2& motion,
+                                  bool tells_position = true) {
     const std::optional<WheelMotion> guess = Hear(wheels);
     if (guess) {
-      trust_.Learn(motion, MotionPrior({}, guess, kVelocity, 0.1).hypotheses().front());
+      trust_.Learn(motion, MotionPrior({}, guess, kVelocity, 0.1).hypotheses().front(),
+                   tells_position);
     } else {
       trust_.Learn(motion);
     }
@@ -87,6 +89,16 @@ TEST_F(WheelTrustOnADrive, OneSlipCostsTheExtraTrust) {
   DriveWell(20);
   EXPECT_DOUBLE_EQ(Hear({kStep})->gain_m, 1.0);
   EXPECT_DOUBLE_EQ(Hear({kStep})->gain_rad, 1.0);
+}
+
+TEST_F(WheelTrustOnADrive, ScansThatMayNotTellTheWayAreNoJudgesOfIt) {
+  const SE2 shortened{0.5 * kStep.x, 0, kStep.theta};
+  for (int i = 0; i < 400; ++i) {
+    const bool is_corridor = i % 4 != 0;
+    Take({kStep}, is_corridor ? shortened : kStep, !is_corridor);
+  }
+  EXPECT_GT(Hear({kStep})->gain_m, 5.0);
+  EXPECT_GT(Hear({kStep})->gain_rad, 5.0);
 }
 
 TEST_F(WheelTrustOnADrive, FaultyReadingsSayNothing) {
