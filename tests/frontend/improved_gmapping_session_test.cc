@@ -102,10 +102,10 @@ TEST_F(ImprovedGmappingSession, LocalizingLeavesTheOldMapAsItIs) {
 }
 
 TEST_F(ImprovedGmappingSession, InAnotherBuildingTheRobotIsNotFoundAndThatIsSaid) {
-  Drive(0, 30);
+  Drive(0, 20);
   const map::OccupancyGrid old = gmapping_->Finish().map;
   gmapping_->BeginSession(MapSession::Use::kMapOn);
-  Drive(0, 20, synthetic::Ring());
+  Drive(0, 10, synthetic::Ring());
   const SlamResult result = gmapping_->Finish();
   EXPECT_TRUE(gmapping_->session()->found().empty());
   EXPECT_EQ(Count("piece_not_joined"), 1);

@@ -37,9 +37,13 @@ class SessionState : public testing::Test {
 };
 
 TEST_F(SessionState, ARunGoesOnToTheSameBytesFromBeforeAndBehindLoopClosures) {
-  const auto whole = ExpectSameWhenResumed(QuickOptions(), scans_, {120, 215, 218, 221, 224, 250});
+  const auto whole = ExpectSameWhenResumed(QuickOptions(), scans_, {120, 221, 250});
   EXPECT_GT(whole->counts().corrections, 0);
   EXPECT_FALSE(whole->loop_closer().closures().empty());
+}
+
+TEST_F(SessionState, ARunGoesOnToTheSameBytesFromAnyUpdateAroundALoopClosure) {
+  ExpectSameWhenResumed(QuickOptions(), scans_, {215, 218, 224});
 }
 
 TEST_F(SessionState, ARunGoesOnToTheSameBytesFromItsBegin) {
