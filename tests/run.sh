@@ -46,7 +46,7 @@ for step in "${steps[@]}"; do
       experiments/docs/build_docs.sh
       ;;
     *)
-      [[ $step != asan ]] || experiments/install_packages.sh fuzz  # by Clang, as the fuzzing
+      [[ $step != [at]san ]] || experiments/install_packages.sh fuzz  # by Clang, as the fuzzing
       cmake --preset "$step" >/dev/null
       cmake --build --preset "$step"
       ctest --preset "$step" -j "$(nproc)"
