@@ -4,8 +4,9 @@
 # this user may.
 #   install_packages.sh [checks] [docs] [experiments] [fuzz] [packages] [python] [ros] [slurm]
 # checks: formatting and clang-tidy; docs: the documentation as a site; experiments: studies and their
-# reports; fuzz: Clang with libFuzzer; packages: what makes Debian packages and tests them; python: the Python
-# module and its example; ros: the node for ROS 1 and its test; slurm: a Slurm on this machine, to test studies on clusters.
+# reports; fuzz: Clang with its sanitizers and libFuzzer; packages: what makes Debian packages and tests
+# them; python: the Python module and its example; ros: the node for ROS 1 and its test; slurm: a Slurm on
+# this machine, to test studies on clusters.
 set -euo pipefail
 
 packages=(
@@ -28,7 +29,7 @@ for option in "$@"; do
       # Ubuntu has it as a snap only; the test that looks at a report in a browser is skipped there.
       grep -q '^ID=ubuntu' /etc/os-release || packages+=(chromium chromium-driver)
       ;;
-    fuzz) packages+=(clang libclang-rt-dev) ;;
+    fuzz) packages+=(clang libclang-rt-dev llvm) ;;  # llvm: reports name lines
     packages) packages+=(dpkg-dev file groff-base lintian man-db mmdebstrap) ;;
     python) packages+=(pybind11-dev python3-dev python3-matplotlib python3-numpy python3-venv) ;;
     ros)

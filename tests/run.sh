@@ -3,7 +3,7 @@
 # Installs what is missing, builds, and runs every test.
 #   tests/run.sh          the format, a sample of clang-tidy, the release build and all tests; then the
 #                         sanitizers: short tests with ASan and UBSan, those with threads with TSan; and
-#                         three minutes of fuzzing
+#                         three minutes of fuzzing what ASan and UBSan have built
 #   tests/run.sh STEP...  only these: format, tidy, docs, fuzz, packages (in a bare Debian, minutes), ros (the
 #                         node for ROS 1 under a roscore), drive (in a browser, minutes), or a preset: release, dev, asan, tsan
 # Tests on real logs find them in $GMAPPING_SPA_DATA or ../shared/data, and are skipped elsewhere.
@@ -46,6 +46,7 @@ for step in "${steps[@]}"; do
       experiments/docs/build_docs.sh
       ;;
     *)
+      [[ $step != [at]san ]] || experiments/install_packages.sh fuzz  # by Clang, as the fuzzing
       cmake --preset "$step" >/dev/null
       cmake --build --preset "$step"
       ctest --preset "$step" -j "$(nproc)"

@@ -41,8 +41,8 @@ EdgeBound BoundEdge(const Edge& edge, const InformationSplit& split, const SE2& 
   const double tau = split.translation, w = split.rotation, torque = gradient.z();
   const Complex measured(edge.i_T_j.x, edge.i_T_j.y), at_poses(i_T_j_at_poses.x, i_T_j_at_poses.y);
   const Complex tangent_m(tangent.x(), tangent.y()), force(gradient.x(), gradient.y());
-  const Eigen::Vector3d change_vector(error.x() - tangent.x(), error.y() - tangent.y(),
-                                      WrapAngle(error.z() - tangent.z()));
+  // Not wrapped: the bound is one for angles in [-pi, pi].
+  const Eigen::Vector3d change_vector = error - tangent;
   const Complex change(change_vector.x(), change_vector.y());
   const double delta = change_vector.z();
   const double curvature = LargestCurvature(w, torque, tangent.z());

@@ -37,7 +37,7 @@ class ImprovedGmappingSession : public testing::Test {
 
   // A log of its own: indices, stamps and odometry begin anew.
   void Drive(double from_m, double to_m, const synthetic::Walls& walls = synthetic::Hall()) {
-    const std::vector<sensor::LaserScan> scans = synthetic::Driven(walls, from_m, to_m);
+    const std::vector<sensor::LaserScan> scans = synthetic::Driven(walls, from_m, to_m, 0.2);
     for (sensor::LaserScan scan : scans) {
       truth_.push_back(scan.odom_T_robot);
       scan.odom_T_robot = Between(scans.front().odom_T_robot, scan.odom_T_robot);
@@ -102,10 +102,10 @@ TEST_F(ImprovedGmappingSession, LocalizingLeavesTheOldMapAsItIs) {
 }
 
 TEST_F(ImprovedGmappingSession, InAnotherBuildingTheRobotIsNotFoundAndThatIsSaid) {
-  Drive(0, 30);
+  Drive(0, 20);
   const map::OccupancyGrid old = gmapping_->Finish().map;
   gmapping_->BeginSession(MapSession::Use::kMapOn);
-  Drive(0, 47, synthetic::Ring());
+  Drive(0, 10, synthetic::Ring());
   const SlamResult result = gmapping_->Finish();
   EXPECT_TRUE(gmapping_->session()->found().empty());
   EXPECT_EQ(Count("piece_not_joined"), 1);

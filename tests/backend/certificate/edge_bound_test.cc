@@ -53,12 +53,12 @@ TEST_F(EdgeBoundTest, IsNowhereAboveTheCost) {
     const SE2 at = AnyPose();
     // The error at a pose, or another one.
     const Eigen::Vector3d tangent =
-        k % 3 == 0 ? Eigen::Vector3d(Normal(1), Normal(1), Angle()) : Minus(at, edge.i_T_j);
+        k % 3 == 0 ? Eigen::Vector3d{Normal(1), Normal(1), Angle()} : Minus(at, edge.i_T_j);
     const EdgeBound bound = BoundEdge(edge, SplitInformation(edge.information), at, tangent);
     EXPECT_GE(bound.slack, 0.0);
     for (int other = 0; other < 300; ++other) {
       const SE2 pose = other % 3 == 0
-                           ? Plus(at, Eigen::Vector3d(Normal(0.1), Normal(0.1), Normal(0.1)))
+                           ? Plus(at, Eigen::Vector3d{Normal(0.1), Normal(0.1), Normal(0.1)})
                            : AnyPose();
       const double cost = Cost(edge, pose);
       const double value = Cost(edge, at) - bound.slack + Value(bound, pose) - Value(bound, at);

@@ -65,7 +65,7 @@ TEST(InitializeChordal, LeavesFixedNodesWhereTheyAre) {
 
 TEST(InitializeChordal, RefusesGraphsThatDoNotDetermineThePoses) {
   PoseGraph graph = backend::RandomGraph(2, {.loop_closures = 0});
-  graph.edges[7].information.setZero();
+  graph.edges.back().information.setZero();  // in the middle, rounding may hide it
   GraphStructure structure;
   structure.Update(IndexGraph(graph));
   SolverMemory memory;

@@ -43,7 +43,7 @@ TEST(MultifrontalCholesky, SolvesLikeDenseCholesky) {
 }
 
 TEST(MultifrontalCholesky, GivesTheSameBytesWithAnyNumberOfThreads) {
-  const Analysis analysis(backend::RandomGraph(7, {.nodes = 3000, .loop_closures = 2000}));
+  const Analysis analysis(backend::RandomGraph(7, {.nodes = 1500, .loop_closures = 1000}));
   const PoseMatrix matrix = RandomMatrix<3>(analysis.structure, 7);
   const PoseMatrix::Vector right = RandomVector<3>(analysis.structure, 7);
   PoseMatrix::Vector alone = right;

@@ -36,7 +36,8 @@ std::vector<std::string> CellsOf(const std::string& line) {
 class EditClosuresTour : public GmappingSpaTour {
  protected:
   static void SetUpTestSuite() {
-    GmappingSpaTour::SetUpTestSuite();
+    // Long enough for closures to be found on the way, not in the end alone.
+    MakeTour("[3, 8.2], [13, 8.2], [8.2, 8.2], [8.2, 12.2], [8.2, 8.2], [3, 8.2]");
     MustSucceed(Command(shared_->Path("saved"), {"--save_session=" + Session()}));
   }
 

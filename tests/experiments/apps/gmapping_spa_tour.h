@@ -66,13 +66,13 @@ inline void ExpectSameResult(const std::string& expected_folder, const std::stri
 
 class GmappingSpaTour : public ::testing::Test {
  protected:
+  // There and back again through the same corridor, so that loops can be closed.
+  static void SetUpTestSuite() { MakeTour("[3, 8.2], [13, 8.2], [3, 8.2]"); }
+
   // One log for all tests of a process, and one result that none of them changes.
-  static void SetUpTestSuite() {
+  static void MakeTour(const std::string& way_points) {
     shared_ = std::make_unique<TemporaryFolder>();
-    // There and back again through the same corridor, so that loops can be closed.
-    shared_->FileWith("path.yaml",
-                      "way_points:\n  - [3, 8.2]\n  - [13, 8.2]\n  - [8.2, 8.2]\n"
-                      "  - [8.2, 12.2]\n  - [8.2, 8.2]\n  - [13, 8.2]\n  - [3, 8.2]\n");
+    shared_->FileWith("path.yaml", "way_points: [" + way_points + "]\n");
     std::vector<std::string> words = {SIMULATE, "--output_dir=" + shared_->path(), "--seed=7"};
     for (const std::string& flag : TourFlags()) words.push_back(flag);
     MustSucceed(words);

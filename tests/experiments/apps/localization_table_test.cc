@@ -19,7 +19,7 @@ namespace {
 class LocalizationTable : public testing::Test {
  protected:
   void Drive(const synthetic::Walls& walls, double from_m, double to_m) {
-    const std::vector<sensor::LaserScan> scans = synthetic::Driven(walls, from_m, to_m);
+    const std::vector<sensor::LaserScan> scans = synthetic::Driven(walls, from_m, to_m, 0.2);
     for (sensor::LaserScan scan : scans) {
       scan.odom_T_robot = Between(scans.front().odom_T_robot, scan.odom_T_robot);
       gmapping_.AddScan(scan);
@@ -61,7 +61,7 @@ TEST_F(LocalizationTable, TellsHowSureEachPoseIs) {
 TEST_F(LocalizationTable, ARobotThatIsNeverFoundIsUnknownAllTheWay) {
   Drive(synthetic::Hall(), 0, 46);
   gmapping_.BeginSession(frontend::MapSession::Use::kLocalize);
-  Drive(synthetic::Ring(), 0, 47);
+  Drive(synthetic::Ring(), 0, 20);
   const frontend::SlamResult result = gmapping_.Finish();
   const std::vector<LocalizedScan> scans = LocalizedScans(gmapping_, result, spa_.get());
   ASSERT_FALSE(scans.empty());

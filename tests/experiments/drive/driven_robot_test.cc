@@ -16,7 +16,7 @@ namespace {
 TEST(DrivenRobot, StandsWithoutACommand) {
   DrivenRoom room;
   room.Drive({}, 10);
-  EXPECT_EQ(room.robot.world_T_robot(), backend::SE2(2.0, 3.0, 0.0));
+  EXPECT_EQ(room.robot.world_T_robot(), (backend::SE2{2.0, 3.0, 0.0}));
   EXPECT_DOUBLE_EQ(room.robot.time_s(), 1.0);
   EXPECT_EQ(room.robot.Summary().world_T_robot.size(), 10u);
 }

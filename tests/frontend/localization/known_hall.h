@@ -24,8 +24,9 @@ inline map::OccupancyGrid MapOf(const Walls& walls, double from_m = 0.0, double 
 }
 
 // Scans on a drive, with their true poses as odometry.
-inline std::vector<sensor::LaserScan> Driven(const Walls& walls, double from_m, double to_m) {
-  return ScansAt(DriveOnRing(from_m, to_m, 0.1), walls, kHallLaser);
+inline std::vector<sensor::LaserScan> Driven(const Walls& walls, double from_m, double to_m,
+                                             double step_m = 0.1) {
+  return ScansAt(DriveOnRing(from_m, to_m, step_m), walls, kHallLaser);
 }
 
 }  // namespace gmapping_spa::synthetic

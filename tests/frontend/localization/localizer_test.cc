@@ -7,48 +7,12 @@
 #include <optional>
 #include <vector>
 
-#include "tests/frontend/localization/known_hall.h"
+#include "tests/frontend/localization/localize.h"
 
 namespace gmapping_spa::localization {
 namespace {
 
 using backend::SE2;
-
-struct Outcome {
-  std::optional<Located> located;
-  std::size_t scan = 0;  // by which it was found
-};
-
-Outcome Localize(const map::OccupancyGrid& map, const std::vector<sensor::LaserScan>& scans) {
-  Localizer localizer({}, &map);
-  for (std::size_t k = 0; k < scans.size(); ++k) {
-    const SE2 motion = k > 0 ? Between(scans[k - 1].odom_T_robot, scans[k].odom_T_robot) : SE2{};
-    if (const auto located = localizer.AddScan(scans[k], motion).located) return {located, k};
-  }
-  return {};
-}
-
-// Two rooms at either end of a passage, alike to the last corner: turned by half a turn about the
-// middle of the passage all is the same.
-synthetic::Walls TwinRooms() {
-  synthetic::Walls walls;
-  synthetic::AddPolygon({{-14, -3},
-                         {-6, -3},
-                         {-6, -1},
-                         {6, -1},
-                         {6, -3},
-                         {13, -3},
-                         {14, -1.5},
-                         {14, 3},
-                         {6, 3},
-                         {6, 1},
-                         {-6, 1},
-                         {-6, 3},
-                         {-13, 3},
-                         {-14, 1.5}},
-                        0.0, &walls);
-  return walls;
-}
 
 TEST(Localizer, FindsARobotOnItsFirstMetersAnywhereInTheHall) {
   const map::OccupancyGrid map = synthetic::MapOf(synthetic::Hall());
@@ -62,11 +26,6 @@ TEST(Localizer, FindsARobotOnItsFirstMetersAnywhereInTheHall) {
   }
 }
 
-TEST(Localizer, NeverFindsARobotInAnotherBuilding) {
-  const map::OccupancyGrid map = synthetic::MapOf(synthetic::Hall());
-  EXPECT_FALSE(Localize(map, synthetic::Driven(synthetic::Ring(), 0.0, 47.0)).located);
-}
-
 TEST(Localizer, NeverFindsARobotWhereTheMapEnds) {
   const map::OccupancyGrid map = synthetic::MapOf(synthetic::Hall(), 0.0, 5.0);
   const Outcome outcome = Localize(map, synthetic::Driven(synthetic::Hall(), 24.0, 30.0));
@@ -75,20 +34,6 @@ TEST(Localizer, NeverFindsARobotWhereTheMapEnds) {
              synthetic::OnRing(24.0 + 0.1 * static_cast<double>(outcome.scan)).translation())
                 .norm(),
             0.2);
-}
-
-TEST(Localizer, OfTwinRoomsItBelievesNeither) {
-  map::OccupancyGrid map({});
-  const synthetic::Laser laser{.beams = 360, .field_of_view_rad = 6.2, .usable_range_m = 6.0};
-  const auto scan_at = [&](const SE2& pose) { return synthetic::Scan(TwinRooms(), pose, laser); };
-  for (double x = -12.0; x <= 12.0; x += 0.25) {
-    map::InsertScan(scan_at({x, 0, 0}), {x, 0, 0}, {}, &map);
-  }
-  Localizer localizer({}, &map);
-  for (double x = -11.0; x < 11.0; x += 0.1) {
-    EXPECT_FALSE(localizer.AddScan(scan_at({x, 0, 0}), x > -11.0 ? SE2{0.1, 0, 0} : SE2{}).located)
-        << x;
-  }
 }
 
 TEST(Localizer, RestartedItKnowsNothingOfBefore) {

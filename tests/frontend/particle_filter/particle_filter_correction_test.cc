@@ -68,8 +68,8 @@ void ExpectSameWeightsAndMotions(const State& a, const State& b) {
   }
 }
 
-ParticleFilter::Options Resampling(double threshold, int threads = 1) {
-  ParticleFilter::Options options = Particles(6, threads);
+ParticleFilter::Options Resampling(double threshold) {
+  ParticleFilter::Options options = Particles(6);
   options.resample_threshold = threshold;
   options.obs_sigma_gain = 0.01;  // so that weights differ enough for twins
   options.map_history.snapshot_every = 3;
@@ -179,32 +179,6 @@ TEST(ParticleFilterCorrection, StepsThatTheCorrectionDoesNotReachMoveWithItsLast
       tour.filter.CorrectCurrentPoses(correction);
     }
     EXPECT_TRUE(tour.filter.particles()[1].world_T_robot == correction.Apply(5, current));
-  }
-}
-
-TEST(ParticleFilterCorrection, FilterGoesOnAlikeWithOneThreadOrTwo) {
-  for (const bool histories : {false, true}) {
-    Tour one(Particles(4, 1), 5), two(Particles(4, 2), 5);
-    for (Tour* tour : {&one, &two}) {
-      for (int round = 0; round < 2; ++round) {
-        // A small one, so that scans still match maps that did not move along.
-        PathCorrection correction = Bend(tour->filter);
-        correction.after = correction.before;
-        correction.after.back() = correction.after.back() * SE2{0.03, -0.02, 0.01};
-        if (histories) {
-          tour->filter.CorrectHistories(correction, ScanOnDrive);
-        } else {
-          tour->filter.CorrectCurrentPoses(correction);
-        }
-        tour->Continue(4);
-      }
-    }
-    EXPECT_TRUE(SamePoses(one.filter, two.filter));
-    for (std::size_t i = 0; i < 4; ++i) {
-      EXPECT_TRUE(SameMap(one.filter.particles()[i].map, two.filter.particles()[i].map)) << i;
-    }
-    for (const ParticleFilter::UpdateResult& update : one.updates)
-      EXPECT_EQ(update.failed_matches, 0);
   }
 }
 

@@ -182,8 +182,8 @@ TEST_F(OdometryCheckTest, WaysAreScaledBeforeTheyAreJudgedAndToldAsTheyAre) {
   Check(0.0, {1000, 0, 0});
   const OdometryCheck::Step step = Check(0.2, {1100, 50, 0.1});
   EXPECT_EQ(step.fault, OdometryFault::kNone);
-  EXPECT_EQ(step.motion, SE2(0.1, 0.05, 0.1));
-  EXPECT_EQ(step.told, SE2(100, 50, 0.1));
+  EXPECT_EQ(step.motion, (SE2{0.1, 0.05, 0.1}));
+  EXPECT_EQ(step.told, (SE2{100, 50, 0.1}));
   const OdometryCheck::Step jump = Check(0.4, {9100, 50, 0.1});
   ExpectNothingKnown(jump, OdometryFault::kImpossible);
   EXPECT_TRUE(jump.told);
