@@ -33,18 +33,21 @@ SE2 LeastSquaresAlignment(const std::vector<PosePair>& pairs) {
     estimate_mean += pair.estimate_T_robot.translation() / pairs.size();
   }
   double dot = 0.0, cross = 0.0, scale = 0.0;
+  double cos_turned = 0.0, sin_turned = 0.0;  // of the headings
   for (const PosePair& pair : pairs) {
     const Eigen::Vector2d t = pair.truth_T_robot.translation() - truth_mean;
     const Eigen::Vector2d e = pair.estimate_T_robot.translation() - estimate_mean;
     dot += e.dot(t);
     cross += e.x() * t.y() - e.y() * t.x();
     scale += pair.truth_T_robot.translation().norm() * pair.estimate_T_robot.translation().norm();
+    const double turned_rad = pair.truth_T_robot.theta - pair.estimate_T_robot.theta;
+    cos_turned += std::cos(turned_rad);
+    sin_turned += std::sin(turned_rad);
   }
-  // What rounding leaves of a robot that stands still is not a direction.
-  if (std::hypot(dot, cross) <= 1e-14 * scale) {
-    throw std::runtime_error("the positions do not tell by which rotation to align the trajectory");
-  }
-  const double theta = std::atan2(cross, dot);
+  // What rounding leaves of a robot that stands still is not a direction: there the error of the
+  // positions is the same for any rotation.
+  const bool positions_tell = std::hypot(dot, cross) > 1e-14 * scale;
+  const double theta = positions_tell ? std::atan2(cross, dot) : std::atan2(sin_turned, cos_turned);
   const Eigen::Vector2d translation = truth_mean - SE2{0.0, 0.0, theta} * estimate_mean;
   return {translation.x(), translation.y(), theta};
 }

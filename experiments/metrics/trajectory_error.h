@@ -15,7 +15,10 @@ namespace gmapping_spa::metrics {
 enum class Alignment {
   kNone,   // the two world frames are the same
   kFirst,  // the first poses are laid over each other
-  kSe2,    // the rigid motion of least squared distance between the positions (Umeyama, no scale)
+  // The rigid motion of least squared distance between the positions (Umeyama, no scale); where
+  // these leave the rotation open (one of the two stands still), the one that fits the headings
+  // best.
+  kSe2,
 };
 
 // The unit of the step between the two poses of a pair.
@@ -32,8 +35,7 @@ struct PoseErrorSummary {
 };
 
 // The motion truth_T_estimate between the world frames. Throws std::runtime_error when there is no
-// pair of poses and, for kSe2, when the positions leave the rotation open (a robot that stands
-// still).
+// pair of poses.
 backend::SE2 Align(const std::vector<PosePair>& pairs, Alignment alignment);
 
 // Absolute trajectory error: per pair of poses the distance of the positions and the angle between

@@ -127,13 +127,29 @@ TEST(Align, NoMotionHasASmallerErrorThanTheLeastSquaresOne) {
   }
 }
 
-TEST(Align, AStraightLineIsEnoughButAStandingRobotIsNot) {
+TEST(Align, AStraightLineIsEnough) {
   EXPECT_NEAR(Align(Drive(10, {1, 0, 0}), Alignment::kSe2).theta, 0, 1e-12);
-  const SE2 far_away = {1234.5678, -987.1, 0.3};
-  const std::vector<PosePair> standing(7, {0, far_away, far_away});
-  EXPECT_THROW(Align(standing, Alignment::kSe2), std::runtime_error);
-  EXPECT_NO_THROW(Align(standing, Alignment::kFirst));
   EXPECT_THROW(Align({}, Alignment::kNone), std::runtime_error);
+}
+
+TEST(Align, OfAStandingRobotIsByItsHeading) {
+  const SE2 far_away = {1234.5678, -987.1, 0.3};
+  for (const Alignment alignment : {Alignment::kSe2, Alignment::kFirst}) {
+    const std::vector<PosePair> standing(7, {0, far_away * SE2{0, 0, 0.5}, far_away});
+    EXPECT_NEAR(Align(standing, alignment).theta, 0.5, 1e-12);
+  }
+}
+
+TEST(AbsoluteTrajectoryError, OfAnEstimateThatNeverMovesIsHowFarTheTruthGoes) {
+  std::vector<PosePair> pairs = Drive(2, {1, 0, 0});
+  for (PosePair& pair : pairs) {
+    pair.truth_T_robot = pair.estimate_T_robot;
+    pair.estimate_T_robot = {};
+  }
+  const auto error = AbsoluteTrajectoryError(pairs, Alignment::kSe2);
+  EXPECT_NEAR(error.translation_m.min, 0.0, 1e-12);
+  EXPECT_NEAR(error.translation_m.max, 1.0, 1e-12);
+  EXPECT_NEAR(error.rotation_deg.max, 0.0, 1e-9);
 }
 
 TEST(RelativePoseError, OfAKnownDriftPerFrame) {
