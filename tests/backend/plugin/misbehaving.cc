@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <stdexcept>
 
@@ -25,6 +26,8 @@ class Misbehaving : public Optimizer {
 #if defined(THROWING)
     throw std::runtime_error("out of cheese");
 #elif defined(HANGING)
+    // A test may want to know when.
+    if (const char* sign = std::getenv("GMAPPING_SPA_TEST_HANGS")) std::ofstream{sign};
     for (;;) pause();
 #elif defined(CRASHING)
     std::signal(SIGSEGV, SIG_DFL);  // not that of a sanitizer

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -58,9 +59,13 @@ TEST_F(BadBackEnd, SignalsEndOptimizeGraphWithinSeconds) {
   for (const int signal : {SIGINT, SIGTERM}) {
     for (const std::string timeout_s : {"0", "1000"}) {
       const std::string err = folder_.Path("err");
+      // Not before it hangs, which may be long after the output folder is made.
+      const std::string hangs = folder_.Path("hangs" + std::to_string(signal) + timeout_s);
+      setenv("GMAPPING_SPA_TEST_HANGS", hangs.c_str(), 1);
       const EndOfCommand end =
           SignalCommand(OptimizeGraph({BackEnd("hanging"), "--backend_timeout_s=" + timeout_s}),
-                        folder_.Path("out"), signal, err);
+                        hangs, signal, err);
+      unsetenv("GMAPPING_SPA_TEST_HANGS");
       EXPECT_EQ(end.status, 128 + signal);
       EXPECT_LT(end.seconds, kSomeSeconds);
       EXPECT_THAT(Contents(err), EndsWith("was still at work; nothing is written\n"));
