@@ -105,7 +105,8 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
     return result;
   }
 
-  const std::optional<WheelMotion> guess = wheel_trust_.Guess(wheels, SameVelocity(duration_s));
+  const std::optional<WheelMotion> guess =
+      wheel_trust_.Guess(wheels, SameVelocity(duration_s), std::max(duration_s, usual_duration_s_));
   const MotionPrior prior = MakePrior(guess, duration_s);
   points_ = scan_matching::MakeScanPoints(
       Deskewed(scan, VelocityOf(prior.hypotheses().front().motion, duration_s)));
@@ -177,14 +178,10 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   if (result.alternatives.size() == 1) result.alternatives.clear();
   for (auto& alternative : result.alternatives) alternative.probability /= sum;
 
-  // A map must not hold both sides of a step that may be wrong. One scan of few beams is no map.
+  // What may be wrong is not entered, and the map of before decides with the next scans.
   const double density = ScanDensity(scan);
   const bool is_ambiguous = !result.alternatives.empty();
   if (result.matched && !is_ambiguous) sweep_.Learn(scan, odom_T_robot_, result.velocity);
-  if (is_ambiguous && density == 1.0) {
-    map_.Clear();
-    usual_unknown_ = 1.0;
-  }
   const SE2 since_inserted = Between(odom_T_inserted_, odom_T_robot_);
   const bool moved_on = since_inserted.translation().norm() > density * options_.insert_m ||
                         std::abs(since_inserted.theta) > density * options_.insert_rad;

@@ -17,8 +17,11 @@ constexpr double kMinWrong = 0.01, kMaxWrong = 0.5;
 constexpr double kMaxError = 100.0;   // of one scan, so that a slip does not count for all
 constexpr double kContradicts = 9.0;  // squared standard deviations
 constexpr int kSilentScans = 3;
-constexpr double kTold_m = 1e-5;     // more than rounding
-constexpr double kTurns_rad = 0.02;  // more than what scans and wheels are off by
+constexpr double kTold_m = 1e-5;  // more than rounding
+// Wheels that slam on the brakes slide; readings that freeze stop at once.
+constexpr double kMostBraking_m_s2 = 4.0;
+constexpr double kSeenMotion_m = 0.03;  // more than what scan matching is off by
+constexpr double kTurns_rad = 0.02;     // more than what scans and wheels are off by
 
 constexpr int kBlockScans = 20;       // in which the wheels moved
 constexpr double kBlockShare = 0.05;  // least share of a block in the running means
@@ -32,6 +35,12 @@ bool Moves(const SE2& step) {
   return step.translation().norm() > 1e-3 || std::abs(step.theta) > 1e-3;
 }
 
+// Whether a robot that went on like that can not stand still now.
+bool StopsTooSoon(const SE2& same_velocity, double duration_s) {
+  const double way_m = same_velocity.translation().norm();
+  return way_m > kSeenMotion_m && way_m > kMostBraking_m_s2 * duration_s * duration_s;
+}
+
 double Gain(double block_error) {
   return 1.0 / std::clamp(kErrorToVariance * block_error, 1.0 / kMostGain, 1.0);
 }
@@ -39,7 +48,7 @@ double Gain(double block_error) {
 }  // namespace
 
 std::optional<WheelMotion> WheelTrust::Guess(const sensor::OdometryCheck::Step& wheels,
-                                             const SE2& same_velocity) {
+                                             const SE2& same_velocity, double duration_s) {
   raw_step_ = wheels.motion;
   step_ = calibration_.Corrected(raw_step_);
   unchanged_ = wheels.fault == OdometryFault::kUnchanged;
@@ -48,7 +57,8 @@ std::optional<WheelMotion> WheelTrust::Guess(const sensor::OdometryCheck::Step& 
     if (raw_step_.translation().norm() > kTold_m) ever_told_way_ = true;
     contradicted_while_unchanged_ = 0;
   }
-  silent_ = unchanged_ && (!ever_moved_ || contradicted_while_unchanged_ >= kSilentScans);
+  silent_ = unchanged_ && (!ever_moved_ || contradicted_while_unchanged_ >= kSilentScans ||
+                           StopsTooSoon(same_velocity, duration_s));
   if (silent_ || (wheels.fault != OdometryFault::kNone && !unchanged_)) return std::nullopt;
   if (tells_turns_only()) step_ = {same_velocity.x, same_velocity.y, step_.theta};
   const double error = std::max(late() ? late_error_ : step_error_, 1.0);

@@ -16,10 +16,11 @@ namespace gmapping_spa::frontend {
 class WheelTrust {
  public:
   // What the wheels say about the motion since the scan before. Nothing where they are faulty,
-  // missing, or silent: they have never moved, or stand still while scans show motion. The way of
-  // wheels that have never told one is that of `same_velocity`.
+  // missing, or silent: they have never moved, stand still while scans show motion, or would have
+  // stopped sooner than a robot can. The way of wheels that have never told one is that of
+  // `same_velocity`.
   std::optional<WheelMotion> Guess(const sensor::OdometryCheck::Step& wheels,
-                                   const backend::SE2& same_velocity);
+                                   const backend::SE2& same_velocity, double duration_s);
 
   // `motion`: what it was, after all. `guess`: the hypothesis made of Guess. `tells_position`:
   // whether the scan surely tells how far the robot has gone.

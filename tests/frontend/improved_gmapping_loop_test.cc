@@ -101,6 +101,7 @@ TEST_F(LoopDrive, CorrectionIsOfTheCurrentPoseOrOfTheWholeTrajectory) {
     const std::vector<SE2> before = backend::PosesOf(gmapping.CurrentResult().graph);
     sensor::LaserScan again = scans_[4];
     again.index = 5;
+    again.stamp_s += 1.0;  // time to stop
     gmapping.AddScan(again);
     EXPECT_EQ(gmapping.counts().corrections, 1);
     const SlamResult estimate = gmapping.CurrentResult();

@@ -49,6 +49,20 @@ TEST_P(LidarOdometryInACorridor, ExactWheelsAreKeptInReverseFromTheEndThatIsSeen
   drive.ExpectIsWhereItIs(0.02, 0.01);
 }
 
+TEST_P(LidarOdometryInACorridor, WheelsThatFreezeAtFullSpeedDoNotStopTheRobot) {
+  Drive drive(synthetic::Corridor(GetParam()));
+  const SE2 along{0, 0, GetParam()};
+  int silent = 0;
+  for (int step = 0; step <= 100; ++step) {
+    const SE2 pose = along * SE2{Way(step), 0.1, 0};
+    const bool is_frozen = step > 60 && step <= 80;
+    const Wheels unchanged{{}, sensor::OdometryFault::kUnchanged};
+    silent += (is_frozen ? drive.To(pose, unchanged) : drive.To(pose)).wheels_silent ? 1 : 0;
+  }
+  EXPECT_EQ(silent, 20);
+  drive.ExpectIsWhereItIs(0.3, 0.01);
+}
+
 TEST_P(LidarOdometryInACorridor, WheelsThatSlipAcrossItAreCorrected) {
   Drive drive(synthetic::Corridor(GetParam()));
   const SE2 along{0, 0, GetParam()};

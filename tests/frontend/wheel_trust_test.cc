@@ -33,7 +33,9 @@ class WheelTrustOnADrive : public testing::Test {
     return guess;
   }
 
-  std::optional<WheelMotion> Hear(const Wheels& wheels) { return trust_.Guess(wheels, kVelocity); }
+  std::optional<WheelMotion> Hear(const Wheels& wheels) {
+    return trust_.Guess(wheels, kVelocity, 0.2);
+  }
 
   void DriveWell(int scans) {
     for (int i = 0; i < scans; ++i) Take({kStep}, kStep);
@@ -135,6 +137,16 @@ TEST_F(WheelTrustOnADrive, WheelsThatStandStillWhileTheRobotMovesFallSilentUntil
   EXPECT_TRUE(trust_.silent());
   EXPECT_TRUE(Hear({kStep}));
   EXPECT_FALSE(trust_.silent());
+}
+
+TEST_F(WheelTrustOnADrive, WheelsThatStopSoonerThanARobotCanAreSilentAtOnce) {
+  DriveWell(10);
+  const SE2 fast{0.2, 0, 0}, slow{0.1, 0, 0};  // in 0.2 s
+  EXPECT_FALSE(trust_.Guess(kUnchanged, fast, 0.2));
+  EXPECT_TRUE(trust_.silent());
+  EXPECT_TRUE(trust_.Guess(kUnchanged, slow, 0.2));
+  EXPECT_FALSE(trust_.silent());
+  EXPECT_TRUE(trust_.Guess({SE2{0.01, 0, 0}}, fast, 0.2));
 }
 
 TEST_F(WheelTrustOnADrive, NoisyWheelsAreBelievedAsFarAsTheirNoiseAllows) {
