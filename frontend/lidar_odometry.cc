@@ -36,6 +36,8 @@ constexpr double kFreeUnknown = 0.1;
 
 // Alternatives that are less likely than the best by this factor, e^-nats, are no alternatives.
 constexpr double kAmbiguous_nats = 3.0;
+// The best of some alternatives that is less likely than this is not preferred.
+constexpr double kUndecided = 0.6;
 // Matches nearer to each other than this are the same.
 constexpr double kSame_m = 0.1;
 constexpr double kSame_rad = 0.05;
@@ -178,9 +180,15 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   if (result.alternatives.size() == 1) result.alternatives.clear();
   for (auto& alternative : result.alternatives) alternative.probability /= sum;
 
-  // What may be wrong is not entered, and the map of before decides with the next scans.
+  // What may be wrong is not entered, and the map of before decides with the next scans. Where no
+  // place is likelier, it is forgotten: it must not hold both sides of a step that may be wrong.
+  // One scan of few beams is no map.
   const double density = ScanDensity(scan);
   const bool is_ambiguous = !result.alternatives.empty();
+  if (is_ambiguous && result.alternatives.front().probability < kUndecided && density == 1.0) {
+    map_.Clear();
+    usual_unknown_ = 1.0;
+  }
   if (result.matched && !is_ambiguous) sweep_.Learn(scan, odom_T_robot_, result.velocity);
   const SE2 since_inserted = Between(odom_T_inserted_, odom_T_robot_);
   const bool moved_on = since_inserted.translation().norm() > density * options_.insert_m ||

@@ -68,6 +68,12 @@ void SlidingMap::Insert(const sensor::LaserScan& scan, const SE2& odom_T_robot) 
   search_.reset();
 }
 
+void SlidingMap::Clear() {
+  maps_.clear();
+  searched_.reset();
+  search_.reset();
+}
+
 const scan_matching::CorrelativeMatcher& SlidingMap::Search(
     const scan_matching::CorrelativeMatcher::Options& options, const SE2& odom_T_robot,
     double reach_m) {

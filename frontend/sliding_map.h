@@ -25,6 +25,8 @@ class SlidingMap {
   const map::OccupancyGrid& grid() const { return maps_.front().grid; }
 
   void Insert(const sensor::LaserScan& scan, const backend::SE2& odom_T_robot);
+  // Forgets everything.
+  void Clear();
 
   // For an exhaustive search of the surroundings of the robot; made when it is first asked for
   // after a change.

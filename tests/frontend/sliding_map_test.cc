@@ -80,6 +80,15 @@ TEST(SlidingMap, HoldsMoreScansOfFewBeams) {
   EXPECT_GT(map.grid().cell(laser).visits, 0);  // the first scan is still there
 }
 
+TEST(SlidingMap, ForgetsEverythingWhenCleared) {
+  SlidingMap map({}, 4);
+  for (int k = 0; k < 5; ++k) map.Insert(ScanAt(Place(k)), Place(k));
+  map.Clear();
+  EXPECT_TRUE(map.empty());
+  map.Insert(ScanAt(Place(7)), Place(7));
+  EXPECT_TRUE(Same(map.grid(), MapOf(7, 7)));
+}
+
 TEST(SlidingMap, SearchFindsAScanInItsSurroundings) {
   SlidingMap map({}, 8);
   for (int k = 0; k < 6; ++k) map.Insert(ScanAt(Place(k)), Place(k));
