@@ -36,8 +36,8 @@ constexpr double kFreeUnknown = 0.1;
 
 // Alternatives that are less likely than the best by this factor, e^-nats, are no alternatives.
 constexpr double kAmbiguous_nats = 3.0;
-// The best of some alternatives that is less likely than this is not preferred.
-constexpr double kUndecided = 0.6;
+// Probability from which on the likeliest of several alternatives is taken to be the right one.
+constexpr double kDecided = 0.6;
 // Matches nearer to each other than this are the same.
 constexpr double kSame_m = 0.1;
 constexpr double kSame_rad = 0.05;
@@ -185,7 +185,7 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   // One scan of few beams is no map.
   const double density = ScanDensity(scan);
   const bool is_ambiguous = !result.alternatives.empty();
-  if (is_ambiguous && result.alternatives.front().probability < kUndecided && density == 1.0) {
+  if (is_ambiguous && result.alternatives.front().probability < kDecided && density == 1.0) {
     map_.Clear();
     usual_unknown_ = 1.0;
   }
@@ -217,7 +217,7 @@ LidarOdometry::Match LidarOdometry::Track(const SE2& initial,
   Match match;
   match.odom_T_robot = align(scan_matching::GaussNewton::Trust::kUsual);
   match.tells_position = gauss_newton_.TellsPosition(map_.grid(), points_, match.odom_T_robot);
-  if (hypothesis.tells_way && !match.tells_position) {
+  if (hypothesis.way_is_measured && !match.tells_position) {
     match.odom_T_robot = align(scan_matching::GaussNewton::Trust::kLeast);
   }
   scan_matching::EndpointModel model(options_.endpoint, &map_.grid(), &points_);

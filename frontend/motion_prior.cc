@@ -11,7 +11,8 @@ using backend::SE2;
 
 namespace {
 
-constexpr double kAboutAsExpected = 1.5;  // standard deviations, where 1 are expected
+// Error of the wheels' steps lately, as a factor on the standard deviation that is expected.
+constexpr double kAboutAsExpected = 1.5;
 
 }  // namespace
 
@@ -54,7 +55,7 @@ MotionPrior::MotionPrior(const Options& options, const std::optional<WheelMotion
          .sigma_rad = wheels->sigma_factor * (options.floor_rad + options.rad_per_m * linear_m +
                                               options.rad_per_rad * angular_rad),
          .weight = 1.0 - wheels->wrong,
-         .tells_way = wheels->tells_way && wheels->sigma_factor < kAboutAsExpected,
+         .way_is_measured = wheels->tells_way && wheels->sigma_factor < kAboutAsExpected,
          .gain_m = wheels->gain_m,
          .gain_rad = wheels->gain_rad});
   }

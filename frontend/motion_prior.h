@@ -17,8 +17,8 @@ struct MotionHypothesis {
   backend::SE2 motion;
   double sigma_m = 0.0;  // standard deviation, the same along x and y
   double sigma_rad = 0.0;
-  double weight = 0.0;     // prior probability
-  bool tells_way = false;  // whether wheels measured it that lately did about as expected
+  double weight = 0.0;           // prior probability
+  bool way_is_measured = false;  // by wheels that lately did about as expected
   // How much surer than that it has proved to be where it is fused with a scan, in variances.
   double gain_m = 1.0;
   double gain_rad = 1.0;

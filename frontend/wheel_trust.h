@@ -18,7 +18,7 @@ class WheelTrust {
   // What the wheels say about the motion since the scan before. Nothing where they are faulty,
   // missing, or silent: they have never moved, stand still while scans show motion, or would have
   // stopped sooner than a robot can. The way of wheels that have never told one is that of
-  // `same_velocity`.
+  // `same_velocity`, the motion of a robot that goes on as before. `duration_s`: of the step.
   std::optional<WheelMotion> Guess(const sensor::OdometryCheck::Step& wheels,
                                    const backend::SE2& same_velocity, double duration_s);
 

@@ -124,9 +124,9 @@ void BindMetrics(py::module_& module) {
       "Absolute trajectory error (Sturm et al. 2012), with the conventions of evo: distances of "
       "the "
       "positions and angles between the headings, once the estimate is aligned: se2 (least "
-      "squares), "
+      "squares; where the positions leave the rotation open, by the headings), "
       "first (first poses laid over each other), none. Raises RuntimeError without a pair of poses "
-      "within max_gap_s, and where positions leave the rotation open.");
+      "within max_gap_s.");
   module.def(
       "relative_pose_error",
       [](const py::object& truth, const py::object& estimate, double step, const std::string& unit,

@@ -118,7 +118,13 @@ TopicChoice ChooseTopics(const BagContents& contents, const std::string& name,
       chooser.TopicsOf({MessageType::kLaserScan, MessageType::kMultiEchoLaserScan});
   if (scans.empty()) {
     throw std::runtime_error(name + ": no laser scans found (expected sensor_msgs/LaserScan or " +
-                             "MultiEchoLaserScan, found " + Described(contents) + ")");
+                             "MultiEchoLaserScan, found " + Described(contents) +
+                             (contents.cut_off_bytes > 0
+                                  ? "; the bag is cut off: its last " +
+                                        std::to_string(contents.cut_off_bytes) +
+                                        " bytes are no whole record"
+                                  : "") +
+                             ")");
   }
   use(chooser.Choose(scans, options.scan_topic, "scan", "scan_topic", "laser scans",
                      &choice.scan_topics));

@@ -40,6 +40,14 @@ TEST(TopicChoice, TopicsWithoutMessagesDoNotCount) {
   EXPECT_THAT(ErrorOf({Scans("/scan", 0)}), EndsWith("found '/scan' (sensor_msgs/LaserScan))"));
 }
 
+TEST(TopicChoice, ABagThatIsCutOffBeforeItsFirstScanIsSaidToBe) {
+  BagContents contents;
+  contents.cut_off_bytes = 60000;
+  EXPECT_THAT(
+      MessageOf([&] { ChooseTopics(contents, "log", {}); }),
+      EndsWith("found no topic; the bag is cut off: its last 60000 bytes are no whole record)"));
+}
+
 TEST(TopicChoice, ScansAreEnough) {
   const TopicChoice choice = Choice({Scans("/base_scan")});
   EXPECT_THAT(choice.use, ElementsAre(kScan));
