@@ -30,6 +30,9 @@ constexpr double kAgrees = 9.0;
 constexpr double kNatsPerBeam = 1.0;
 // A scan that fits nowhere (a covered laser, a crowd) does not constrain the motion, at this price.
 constexpr double kGarbage_nats = 30.0;
+// The same of a scan after such a one, of whose misfits at most this part see through walls.
+constexpr double kStillGarbage_nats = 5.0;
+constexpr double kCovered = 0.3;
 
 // Part of the beams that may end in unseen space more than at another pose before it counts.
 constexpr double kFreeUnknown = 0.1;
@@ -54,6 +57,9 @@ constexpr double kFewBeams = 4.0;
 constexpr double kSomeWay_m = 0.5;
 
 constexpr int kScansToKnowVelocity = 3;
+
+// Steps since the pose was sure of which the errors add up; more are as good as lost.
+constexpr int kMostSteps = 10;
 
 // Half widths of the windows that are searched, one after the other until a match convinces.
 struct Window {
@@ -138,6 +144,7 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
     }
   }
   const Match& best = matches.front();
+  unsure_scans_ = IsConvincing(best, prior) ? 0 : unsure_scans_ + 1;
   if (IsLost(best)) {
     result = GoOnLost(best, scan, wheels, guess);
     result.velocity = VelocityOf(result.motion, duration_s);
@@ -202,8 +209,8 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
 
 MotionPrior LidarOdometry::MakePrior(const std::optional<WheelMotion>& wheels,
                                      double duration_s) const {
-  return {options_.prior, wheels, SameVelocity(duration_s),
-          std::max(duration_s, usual_duration_s_)};
+  return {options_.prior, wheels, SameVelocity(duration_s), std::max(duration_s, usual_duration_s_),
+          std::min(1 + unsure_scans_, kMostSteps)};
 }
 
 // Fuses the scan with the guess. Wheels tell the way where the scan may not: door frames and rough
@@ -254,7 +261,12 @@ void LidarOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) 
     least_unknown = std::min(least_unknown, match.evidence.unknown);
   }
   for (Match& match : *matches) {
-    match.log_posterior = std::max(Nats(match, least_unknown), -kGarbage_nats) +
+    // What covers a laser stays for a while, and lets no beam see through walls.
+    const bool may_be_covered = match.seen_through <= kCovered * match.evidence.contradicted;
+    const double garbage_nats =
+        (new_piece_ && may_be_covered ? kStillGarbage_nats : kGarbage_nats) +
+        kNatsPerBeam * usual_fit_ * match.seen_through;
+    match.log_posterior = std::max(Nats(match, least_unknown), -garbage_nats) +
                           prior.LogDensity(Between(odom_T_robot_, match.odom_T_robot));
   }
   std::stable_sort(matches->begin(), matches->end(), [](const Match& a, const Match& b) {

@@ -46,6 +46,7 @@ struct ScanMotion {
   // Where the robot was lost, and the last scans fit each other: so many, this one included, are
   // the begin of a new piece of map; how it lies to what was before is not known. Else zero.
   int new_piece_scans = 0;
+  bool wheels_told_way_to_piece = false;  // whether the wheels had a say all the while
 };
 
 // Matches scans with a local map of its own, in its own frame. A particle's map would hold the
@@ -98,7 +99,8 @@ class LidarOdometry {
   void serialize(Archive& archive) {
     archive(map_, odom_T_robot_, odom_T_inserted_, stamp_s_, usual_motion_, usual_duration_s_,
             usual_fit_, usual_unknown_, wheel_trust_, sweep_, scans_, doubtful_scans_,
-            new_piece_begin_s_, new_piece_scans_, seen_through_, contradicted_);
+            unsure_scans_, new_piece_begin_s_, new_piece_scans_, wheels_told_all_, seen_through_,
+            contradicted_);
     bool is_lost = new_piece_ != nullptr;
     archive(is_lost);
     if (!is_lost) return;
@@ -112,6 +114,7 @@ class LidarOdometry {
     backend::SE2 odom_T_robot;
     scan_matching::Evidence evidence;
     bool tells_position = true;  // whether the scan surely binds it in every direction
+    double seen_through = 0.0;   // number of beams that pass through walls
     double log_posterior = 0.0;  // up to a constant
   };
 
@@ -151,10 +154,12 @@ class LidarOdometry {
   SweepDuration sweep_;
   int scans_ = 0;           // seen
   int doubtful_scans_ = 0;  // in a row
+  int unsure_scans_ = 0;    // in a row, of which no match convinced
   // Of a robot that is lost: what its scans say to each other.
   std::unique_ptr<LidarOdometry> new_piece_;
   double new_piece_begin_s_ = 0.0;  // stamp of its first scan
   int new_piece_scans_ = 0;         // since then
+  bool wheels_told_all_ = false;    // since the robot is lost
   // Numbers of beams in all these scans, at where the robot would be if it were not lost.
   double seen_through_ = 0.0;
   double contradicted_ = 0.0;

@@ -39,9 +39,10 @@ std::vector<SE2> LidarOdometry::SearchCenters(const MotionPrior& prior,
 // Far behind a wall all is unseen, which is no evidence: a pose from where beams have to pass
 // through walls to get there would look as good as one that fits.
 void LidarOdometry::CountBehindWalls(Match* match) const {
-  const double behind = std::min(
-      match->evidence.unknown,
-      scan_matching::CountSeenThrough(map_.grid(), points_, match->odom_T_robot).into_unseen);
+  const scan_matching::SeenThrough through =
+      scan_matching::CountSeenThrough(map_.grid(), points_, match->odom_T_robot);
+  match->seen_through = through.all;
+  const double behind = std::min(match->evidence.unknown, through.into_unseen);
   match->evidence.unknown -= behind;
   match->evidence.contradicted += behind;
 }

@@ -34,36 +34,40 @@ double MotionHypothesis::LogDensity(const SE2& other) const {
 }
 
 MotionPrior::MotionPrior(const Options& options, const std::optional<WheelMotion>& wheels,
-                         const SE2& same_velocity, double duration_s) {
+                         const SE2& same_velocity, double duration_s, int steps) {
   const double square_s2 = duration_s * duration_s;
+  const double widening = std::sqrt(steps);
+  const double right = wheels ? std::pow(1.0 - wheels->wrong, steps) : 0.0;
   const MotionHypothesis going_on{
       .motion = same_velocity,
-      .sigma_m = options.velocity_floor_m + options.acceleration_m_s2 * square_s2,
-      .sigma_rad =
-          std::min(options.velocity_floor_rad + options.angular_acceleration_rad_s2 * square_s2,
-                   std::numbers::pi),
-      .weight = wheels ? wheels->wrong : 1.0};
+      .sigma_m = widening * (options.velocity_floor_m + options.acceleration_m_s2 * square_s2),
+      .sigma_rad = std::min(
+          widening * (options.velocity_floor_rad + options.angular_acceleration_rad_s2 * square_s2),
+          std::numbers::pi),
+      .weight = 1.0 - right};
   if (wheels) {
     const double linear_m = wheels->motion.translation().norm();
     const double angular_rad = std::abs(wheels->motion.theta);
-    const double sigma_m = wheels->tells_way ? options.floor_m + options.m_per_m * linear_m +
-                                                   options.m_per_rad * angular_rad
-                                             : going_on.sigma_m;
+    const double sigma_m = wheels->tells_way
+                               ? widening * (options.floor_m + options.m_per_m * linear_m +
+                                             options.m_per_rad * angular_rad)
+                               : going_on.sigma_m;
     hypotheses_.push_back(
         {.motion = wheels->motion,
-         .sigma_m = wheels->sigma_factor * sigma_m,
-         .sigma_rad = wheels->sigma_factor * (options.floor_rad + options.rad_per_m * linear_m +
-                                              options.rad_per_rad * angular_rad),
-         .weight = 1.0 - wheels->wrong,
-         .way_is_measured = wheels->tells_way && wheels->sigma_factor < kAboutAsExpected,
+         .sigma_m = wheels->sigma_factor_m * sigma_m,
+         .sigma_rad =
+             widening * wheels->sigma_factor_rad *
+             (options.floor_rad + options.rad_per_m * linear_m + options.rad_per_rad * angular_rad),
+         .weight = right,
+         .way_is_measured = wheels->tells_way && wheels->sigma_factor_m < kAboutAsExpected,
          .gain_m = wheels->gain_m,
          .gain_rad = wheels->gain_rad});
   }
   hypotheses_.push_back(going_on);
-  reach_m_ = std::max(options.max_speed_m_s * duration_s, going_on.sigma_m);
-  reach_rad_ =
-      std::min(std::max(options.max_turn_rad_s * duration_s, going_on.sigma_rad), std::numbers::pi);
-  anything_density_ = options.anything / (4.0 * reach_m_ * reach_m_ * 2.0 * reach_rad_);
+  reach_m_ = std::max(options.max_speed_m_s * steps * duration_s, going_on.sigma_m);
+  reach_rad_ = std::min(std::max(options.max_turn_rad_s * steps * duration_s, going_on.sigma_rad),
+                        std::numbers::pi);
+  anything_density_ = options.anything * steps / (4.0 * reach_m_ * reach_m_ * 2.0 * reach_rad_);
 }
 
 bool MotionPrior::GuessesAgree() const {

@@ -33,9 +33,10 @@ struct MotionHypothesis {
 // What the wheels say, and how far they are to be trusted.
 struct WheelMotion {
   backend::SE2 motion;
-  double sigma_factor = 1.0;  // on the standard deviations
-  double wrong = 0.01;        // probability that it has nothing to do with the motion
-  bool tells_way = true;      // otherwise the way is a guess, as sure as that of the same velocity
+  double sigma_factor_m = 1.0;  // on the standard deviations
+  double sigma_factor_rad = 1.0;
+  double wrong = 0.01;    // probability that it has nothing to do with the motion
+  bool tells_way = true;  // otherwise the way is a guess, as sure as that of the same velocity
   // Of MotionHypothesis.
   double gain_m = 1.0;
   double gain_rad = 1.0;
@@ -67,9 +68,9 @@ class MotionPrior {
   };
 
   // `wheels`: nothing where they have no say. `same_velocity`: the motion if the robot goes on as
-  // before.
+  // before. `steps`: since the pose was last sure; the errors of all of them add up.
   MotionPrior(const Options& options, const std::optional<WheelMotion>& wheels,
-              const backend::SE2& same_velocity, double duration_s);
+              const backend::SE2& same_velocity, double duration_s, int steps = 1);
 
   // The likeliest first.
   const std::vector<MotionHypothesis>& hypotheses() const { return hypotheses_; }

@@ -77,8 +77,11 @@ void SlidingMap::Clear() {
 const scan_matching::CorrelativeMatcher& SlidingMap::Search(
     const scan_matching::CorrelativeMatcher::Options& options, const SE2& odom_T_robot,
     double reach_m) {
-  if (!searched_ ||
-      Between(searched_->center, odom_T_robot).translation().norm() > kRenewAt * reach_m) {
+  // A covered laser reaches less far than the next scan.
+  const bool is_known =
+      searched_ && Between(searched_->center, odom_T_robot).translation().norm() + reach_m <=
+                       (1.0 + kRenewAt) * searched_->reach_m;
+  if (!is_known) {
     searched_ = {odom_T_robot, reach_m};
     search_.reset();
   }

@@ -61,29 +61,37 @@ std::optional<WheelMotion> WheelTrust::Guess(const sensor::OdometryCheck::Step& 
                            StopsTooSoon(same_velocity, duration_s));
   if (silent_ || (wheels.fault != OdometryFault::kNone && !unchanged_)) return std::nullopt;
   if (tells_turns_only()) step_ = {same_velocity.x, same_velocity.y, step_.theta};
-  const double error = std::max(late() ? late_error_ : step_error_, 1.0);
+  const StepError& error = late() ? late_error_ : step_error_;
   return WheelMotion{.motion = late() ? Owed() : step_,
-                     .sigma_factor = std::sqrt(error),
+                     .sigma_factor_m = std::sqrt(std::max(error.m, 1.0)),
+                     .sigma_factor_rad = std::sqrt(std::max(error.rad, 1.0)),
                      .wrong = std::clamp(wrong_, kMinWrong, kMaxWrong),
                      .tells_way = !tells_turns_only(),
                      .gain_m = tells_turns_only() ? 1.0 : Gain(block_error_m_),
                      .gain_rad = Gain(block_error_rad_)};
 }
 
+void WheelTrust::StepError::Learn(const MotionHypothesis& expected, const SE2& motion) {
+  const SE2 off = Between(expected.motion, motion);
+  const auto learn = [](double squared_sigmas, double* mean) {
+    *mean += kForgetting * (std::min(squared_sigmas, kMaxError) - *mean);
+  };
+  learn(off.translation().squaredNorm() / (2.0 * expected.sigma_m * expected.sigma_m), &m);
+  learn(off.theta * off.theta / (expected.sigma_rad * expected.sigma_rad), &rad);
+}
+
 void WheelTrust::Learn(const SE2& motion, const MotionHypothesis& guess, bool tells_position) {
   // The deviations expected of the wheels, without the factor of mistrust; three dimensions.
   MotionHypothesis plain = guess;
-  const double factor = std::sqrt(std::max(late() ? late_error_ : step_error_, 1.0));
-  plain.sigma_m /= factor;
-  plain.sigma_rad /= factor;
+  const StepError& error = late() ? late_error_ : step_error_;
+  plain.sigma_m /= std::sqrt(std::max(error.m, 1.0));
+  plain.sigma_rad /= std::sqrt(std::max(error.rad, 1.0));
   plain.motion = step_;
   LearnBlock(motion, plain, tells_position);
-  const double step_error = std::min(plain.SquaredDistance(motion) / 3.0, kMaxError);
+  step_error_.Learn(plain, motion);
   plain.motion = Owed();
-  const double late_error = std::min(plain.SquaredDistance(motion) / 3.0, kMaxError);
+  late_error_.Learn(plain, motion);
   const bool contradicted = guess.SquaredDistance(motion) > kContradicts;
-  step_error_ += kForgetting * (step_error - step_error_);
-  late_error_ += kForgetting * (late_error - late_error_);
   wrong_ += kForgetting * ((contradicted ? 1.0 : 0.0) - wrong_);
   if (unchanged_) {
     contradicted_while_unchanged_ = contradicted ? contradicted_while_unchanged_ + 1 : 0;

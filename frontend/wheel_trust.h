@@ -29,7 +29,9 @@ class WheelTrust {
   void Learn(const backend::SE2& motion);
 
   // Whether readings come later than the scans that they belong to.
-  bool late() const { return step_error_ > kPoorError && late_error_ < kLateBelow * step_error_; }
+  bool late() const {
+    return step_error_.all() > kPoorError && late_error_.all() < kLateBelow * step_error_.all();
+  }
   bool silent() const { return silent_; }
   // By which their turns are corrected.
   const WheelCalibration& calibration() const { return calibration_; }
@@ -56,6 +58,19 @@ class WheelTrust {
   static constexpr double kTurnedToJudge_rad = 6.0;
   static constexpr double kOpposite = 0.8;
 
+  // Running means of squared errors, in units of the variance expected of the wheels. Wheels that
+  // slip as they turn may tell the way as well as ever.
+  struct StepError {
+    double m = 1.0;
+    double rad = 1.0;
+    double all() const { return (2.0 * m + rad) / 3.0; }  // of three dimensions
+    void Learn(const MotionHypothesis& expected, const backend::SE2& motion);
+    template <typename Archive>
+    void serialize(Archive& archive) {
+      archive(m, rad);
+    }
+  };
+
   backend::SE2 Owed() const { return owed_ * step_; }
   void LearnBlock(const backend::SE2& motion, const MotionHypothesis& plain, bool tells_position);
 
@@ -70,10 +85,8 @@ class WheelTrust {
   // What the wheels have reported on the last scans and the robot has not done, or the other way
   // round: of wheels whose readings come late, it is what they still owe.
   backend::SE2 owed_;
-  // Running means of squared errors, in units of the variance expected of the wheels: of their
-  // steps, and of their steps with what is owed.
-  double step_error_ = 1.0;
-  double late_error_ = 1.0;
+  StepError step_error_;
+  StepError late_error_;  // of their steps with what is owed
   // The same of their motion over a block of scans, by direction: the noise of scan matching does
   // not add up there, so that it shows wheels that are better than expected.
   double block_error_m_ = 1.0;

@@ -56,6 +56,21 @@ TEST(LidarOdometryLost, MeanwhileThePoseIsThatOfTheWheelsAndTheMapStaysAsItWas) 
   drive.ExpectIsWhereItIs(0.03, 0.02);
 }
 
+// Farther than a robot gets from one scan to the next: what it may have done while covered adds up.
+TEST(LidarOdometryLost, ARobotThatSlipsWhileItIsCoveredIsFoundAgain) {
+  Drive drive(synthetic::Room());
+  for (int step = 0; step <= 80; ++step) drive.To(OnRound(step));
+  const SE2 slip{0.9, 0.3, 1.2};
+  for (int k = 1; k <= 5; ++k) {
+    const SE2 pose = k < 3 ? OnRound(80 + k) : OnRound(80 + k) * slip;
+    sensor::LaserScan scan = drive.ScanAt(pose);
+    Cover(&scan);
+    drive.Take(scan, pose, {StepOfRound(80 + k)});
+  }
+  EXPECT_TRUE(drive.To(OnRound(86) * slip, {StepOfRound(86)}).matched);
+  drive.ExpectIsWhereItIs(0.05, 0.03);
+}
+
 // Nine beams are too few for the robot to be lost by them.
 TEST(LidarOdometryLost, FewBeamsThatFitBadlyWaitForTheNextOnes) {
   Drive drive(synthetic::Room(), {.beams = 9});

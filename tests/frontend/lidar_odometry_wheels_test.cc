@@ -45,7 +45,7 @@ TEST_F(LidarOdometryWithWheels, AJumpOfTheHeadingIsRejected) {
     const ScanMotion motion = Step({truth * SE2{0, 0, jump_deg * kDeg}});
     EXPECT_TRUE(motion.wheels_rejected) << jump_deg;
     ExpectNear(motion.motion, truth, 0.03, 0.02);
-    DriveUpTo(step_ + 3);
+    DriveUpTo(step_ + 10);
   }
   ExpectIsWhereItIs();
 }

@@ -62,9 +62,9 @@ TEST(MotionPrior, WheelsAreLessSureOfLongerSteps) {
 TEST(MotionPrior, WheelsOfBadReputationAreLessSureAndLessLikely) {
   const SE2 step{0.3, 0.4, 0.1};
   const MotionPrior usual = Prior(step, {}, 0.1);
-  const MotionPrior bad(kOptions, WheelMotion{step, 3.0, 0.25}, {}, 0.1);
+  const MotionPrior bad(kOptions, WheelMotion{step, 3.0, 2.0, 0.25}, {}, 0.1);
   EXPECT_DOUBLE_EQ(bad.hypotheses()[0].sigma_m, 3.0 * usual.hypotheses()[0].sigma_m);
-  EXPECT_DOUBLE_EQ(bad.hypotheses()[0].sigma_rad, 3.0 * usual.hypotheses()[0].sigma_rad);
+  EXPECT_DOUBLE_EQ(bad.hypotheses()[0].sigma_rad, 2.0 * usual.hypotheses()[0].sigma_rad);
   EXPECT_DOUBLE_EQ(bad.hypotheses()[0].weight, 0.75);
   EXPECT_DOUBLE_EQ(bad.hypotheses()[1].weight, 0.25);
 }
@@ -92,6 +92,21 @@ TEST(MotionPrior, ReachesAsFarAsARobotGets) {
   EXPECT_DOUBLE_EQ(second.reach_rad(), 3.02);  // what may be expected of the velocity is more
   const MotionPrior long_gap = Prior({}, {}, 60.0);
   EXPECT_DOUBLE_EQ(long_gap.reach_rad(), std::numbers::pi);
+}
+
+TEST(MotionPrior, ErrorsOfTheStepsSinceThePoseWasSureAddUp) {
+  const SE2 wheels{0.1, 0.01, 0.05}, same{0.12, 0, 0.04};
+  const MotionPrior sure = Prior(wheels, same, 0.1);
+  const MotionPrior unsure(kOptions, WheelMotion{wheels}, same, 0.1, 4);
+  for (const int k : {0, 1}) {
+    const MotionHypothesis &now = unsure.hypotheses()[k], &before = sure.hypotheses()[k];
+    EXPECT_DOUBLE_EQ(now.sigma_m, 2.0 * before.sigma_m);
+    EXPECT_DOUBLE_EQ(now.sigma_rad, 2.0 * before.sigma_rad);
+  }
+  EXPECT_NEAR(unsure.hypotheses()[0].weight, std::pow(0.99, 4), 1e-12);
+  EXPECT_NEAR(unsure.hypotheses()[1].weight, 1.0 - std::pow(0.99, 4), 1e-12);
+  EXPECT_DOUBLE_EQ(unsure.reach_m(), 4.0 * sure.reach_m());
+  EXPECT_DOUBLE_EQ(unsure.reach_rad(), 4.0 * sure.reach_rad());
 }
 
 TEST(MotionPrior, DensityFallsFromTheWheelsToGoingOnToAnything) {

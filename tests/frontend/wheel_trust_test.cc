@@ -49,7 +49,8 @@ TEST_F(WheelTrustOnADrive, GoodWheelsAreTakenAtTheirWord) {
   const std::optional<WheelMotion> guess = Hear({kStep});
   ASSERT_TRUE(guess);
   EXPECT_TRUE((guess->motion == kStep));
-  EXPECT_DOUBLE_EQ(guess->sigma_factor, 1.0);
+  EXPECT_DOUBLE_EQ(guess->sigma_factor_m, 1.0);
+  EXPECT_DOUBLE_EQ(guess->sigma_factor_rad, 1.0);
   EXPECT_NEAR(guess->wrong, 0.01, 1e-9);
   EXPECT_FALSE(trust_.late());
   EXPECT_FALSE(trust_.silent());
@@ -158,8 +159,19 @@ TEST_F(WheelTrustOnADrive, NoisyWheelsAreBelievedAsFarAsTheirNoiseAllows) {
                     3.0 * usual.sigma_rad * random.Gaussian()};
     Take({kStep * noise}, kStep);
   }
-  EXPECT_NEAR(Hear({kStep})->sigma_factor, 3.0, 1.0);
+  EXPECT_NEAR(Hear({kStep})->sigma_factor_m, 3.0, 1.0);
+  EXPECT_NEAR(Hear({kStep})->sigma_factor_rad, 3.0, 1.0);
   EXPECT_FALSE(trust_.late());
+}
+
+TEST_F(WheelTrustOnADrive, WheelsThatSlipAsTheyTurnStillTellTheWay) {
+  backend::CounterRandom random(3, 0);
+  const MotionHypothesis usual = MotionPrior({}, WheelMotion{kStep}, {}, 0.1).hypotheses().front();
+  for (int i = 0; i < 400; ++i) {
+    Take({kStep * SE2{0, 0, 4.0 * usual.sigma_rad * random.Gaussian()}}, kStep);
+  }
+  EXPECT_DOUBLE_EQ(Hear({kStep})->sigma_factor_m, 1.0);
+  EXPECT_NEAR(Hear({kStep})->sigma_factor_rad, 4.0, 1.5);
 }
 
 TEST_F(WheelTrustOnADrive, WheelsThatTurnTheOtherWayAreMirrored) {
@@ -177,10 +189,10 @@ TEST_F(WheelTrustOnADrive, WheelsThatTurnAsTheRobotDoesAreNotMirrored) {
 TEST_F(WheelTrustOnADrive, OneSlipIsForgotten) {
   DriveWell(50);
   Take({kStep * SE2{1.0, 0, 1.0}}, kStep);
-  EXPECT_GT(Hear({kStep})->sigma_factor, 1.1);
+  EXPECT_GT(Hear({kStep})->sigma_factor_rad, 1.1);
   EXPECT_GT(Hear({kStep})->wrong, 0.03);
   DriveWell(150);
-  EXPECT_NEAR(Hear({kStep})->sigma_factor, 1.0, 0.1);
+  EXPECT_NEAR(Hear({kStep})->sigma_factor_rad, 1.0, 0.1);
   EXPECT_LT(Hear({kStep})->wrong, 0.02);
 }
 
@@ -190,7 +202,8 @@ TEST_F(WheelTrustOnADrive, WheelsThatAreAlwaysWrongAreNotGivenUpAltogether) {
     Take({{random.Gaussian(), random.Gaussian(), random.Gaussian()}}, kStep);
   }
   EXPECT_LE(Hear({kStep})->wrong, 0.5);
-  EXPECT_LE(Hear({kStep})->sigma_factor, 10.0);
+  EXPECT_LE(Hear({kStep})->sigma_factor_m, 10.0);
+  EXPECT_LE(Hear({kStep})->sigma_factor_rad, 10.0);
 }
 
 TEST_F(WheelTrustOnADrive, TurnsThatAreMissingAllTheTimeAreMadeUpFor) {
