@@ -75,7 +75,7 @@ void ImprovedGmapping::Process(const sensor::LaserScan& measured, ScanResult* re
                         std::abs(u.theta) / std::max(options_.angular_update_rad, 1e-3) + 1e-9;
   if (motion.new_piece_scans > 0) {
     scan_poses_.Add(scan, odom_T_scan_, amount, false);
-    BeginPiece(motion.new_piece_scans);
+    BeginPiece(motion.new_piece_scans, motion.wheels_told_way_to_piece);
     if (session_) LookForRobot(scan, {});
     return;
   }

@@ -169,7 +169,7 @@ class ImprovedGmapping {
 
  private:
   void Process(const sensor::LaserScan& measured, ScanResult* result);
-  void BeginPiece(int scans);
+  void BeginPiece(int scans, bool wheels_told_way);
   bool BeginsSession() const { return session_ && archive_.size() == session_->scans(); }
   void LookForRobot(const sensor::LaserScan& scan, const backend::SE2& motion);
   std::vector<bool> DrawnInTheEnd() const;

@@ -16,12 +16,12 @@ namespace gmapping_spa::frontend {
 using backend::SE2;
 
 // The node of the piece is its first scan: what came before belongs to the piece before.
-void ImprovedGmapping::BeginPiece(int scans) {
+void ImprovedGmapping::BeginPiece(int scans, bool wheels_told_way) {
   scan_poses_.BeginPiece(scans - 1);
   const int first = archive_.size() - scans;
   const SE2 odom_T_first = scan_poses_.OdometryOf(scans - 1);
   filter_.BeginPiece(archive_.Get(first), Between(odom_T_last_update_, odom_T_first));
-  loop_closer_.BeginPiece(static_cast<int>(node_scans_.size()));
+  loop_closer_.BeginPiece(static_cast<int>(node_scans_.size()), wheels_told_way);
   if (session_) session_->BeginPiece();
   node_scans_.push_back(first);
   std::fill(is_lost_.begin() + first, is_lost_.end(), false);

@@ -50,6 +50,7 @@ ScanMotion LidarOdometry::GoOnLost(const Match& best, const sensor::LaserScan& s
   ScanMotion result;
   result.matched = false;
   if (guess) result.motion = guess->motion;
+  wheels_told_all_ = guess.has_value() && (wheels_told_all_ || !new_piece_);
   const ScanMotion found = new_piece_ ? new_piece_->MatchScan(scan, wheels) : result;
   if (found.matched) {
     // A covered laser fits itself however the robot moves: the wheels go first.
@@ -77,6 +78,7 @@ ScanMotion LidarOdometry::GoOnLost(const Match& best, const sensor::LaserScan& s
           (is_elsewhere ? options_.new_piece_s : options_.new_piece_if_hidden_s)) {
     result.matched = true;
     result.new_piece_scans = new_piece_scans_;
+    result.wheels_told_way_to_piece = wheels_told_all_;
     const std::unique_ptr<LidarOdometry> piece = std::move(new_piece_);
     *this = std::move(*piece);
     return result;

@@ -23,9 +23,10 @@ constexpr double kOutOfSight_m = 1e4;
 
 }  // namespace
 
-void Pieces::Begin(int node) {
+void Pieces::Begin(int node, bool wheels_told_way) {
   CHECK_GT(node, first_nodes_.back());
   first_nodes_.push_back(node);
+  wheels_told_way_.push_back(wheels_told_way ? 1 : 0);
 }
 
 int Pieces::PieceOf(int node) const {
@@ -101,10 +102,16 @@ void Pieces::Arrange(std::span<const Edge> closures, backend::PoseGraph* path) c
   for (std::size_t k = 0; k < poses.size(); ++k) path->nodes[k].world_T_node = poses[k];
 }
 
-void Pieces::Separate(std::span<const Edge> closures, std::vector<SE2>* world_T_nodes) const {
-  const std::vector<int> joined = Joined(closures);
+void Pieces::Separate(std::span<const Edge> closures, Sight sight,
+                      std::vector<SE2>* world_T_nodes) const {
+  std::vector<int> groups = Joined(closures);  // by the earliest piece
+  for (int piece = 1; piece < size(); ++piece) {
+    if (!IsInSight(piece, sight)) continue;
+    const auto [to, from] = std::minmax(groups[piece - 1], groups[piece]);
+    std::replace(groups.begin(), groups.end(), int{from}, int{to});
+  }
   for (int piece = 0; piece < size(); ++piece) {
-    if (joined[piece] > 0) Move(piece, {kOutOfSight_m * joined[piece], 0, 0}, world_T_nodes);
+    if (groups[piece] > 0) Move(piece, {kOutOfSight_m * groups[piece], 0, 0}, world_T_nodes);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "frontend/loop_closure/loop_closer.h"
@@ -17,12 +18,13 @@ using backend::SE2;
 class CarriedRobot : public testing::Test {
  protected:
   // Round the Hall; then in `walls` from 70 m on, where the estimate goes on from where it was.
-  void Drive(const synthetic::Walls& walls) {
+  // `off`: by which the wheels are wrong where they tell the way meanwhile.
+  void Drive(const synthetic::Walls& walls, const std::optional<SE2>& off = {}) {
     const std::vector<SE2> there = synthetic::DriveOnRing(0, 46, 1.0);
     const std::vector<SE2> then = synthetic::DriveOnRing(70, 105, 1.0);
     estimate_ = truth_ = there;
     scans_ = synthetic::ScansAt(there, synthetic::Hall(), {.usable_range_m = 12.0});
-    const SE2 wrong = there.back() * Inverse(then.front());
+    const SE2 wrong = off.value_or(there.back() * Inverse(then.front()));
     for (const sensor::LaserScan& scan :
          synthetic::ScansAt(then, walls, {.usable_range_m = 12.0})) {
       scans_.push_back(scan);
@@ -34,7 +36,7 @@ class CarriedRobot : public testing::Test {
     const auto scan_of_node = [this](int node) { return scans_.at(node); };
     const int first = static_cast<int>(there.size());
     for (int k = 0; k < static_cast<int>(estimate_.size()); ++k) {
-      if (k == first) closer_.BeginPiece(k);
+      if (k == first) closer_.BeginPiece(k, off.has_value());
       closer_.Update({estimate_.begin(), estimate_.begin() + k + 1}, scan_of_node);
     }
     closer_.UpdateAll(estimate_, scan_of_node);
@@ -59,6 +61,22 @@ TEST_F(CarriedRobot, IsNotFoundByTheirLookWhereOthersSearch) {
   closer_.JoinPiecesFrom(47);
   Drive(synthetic::Hall());
   EXPECT_EQ(closer_.pieces().Joined(closer_.closures()), (std::vector<int>{0, 1}));
+}
+
+// It has only been lost, and drove on: places need not be recognized.
+TEST_F(CarriedRobot, IsFoundNearWhereTheWheelsSayWhereTheyToldTheWay) {
+  closer_.JoinPiecesFrom(47);
+  Drive(synthetic::Hall(), SE2{0.8, -0.5, 0.05});
+  EXPECT_EQ(closer_.pieces().Joined(closer_.closures()), (std::vector<int>{0, 0}));
+}
+
+TEST_F(CarriedRobot, IsNotFoundNearWhereTheWheelsSayWhereThatIsWrong) {
+  closer_.JoinPiecesFrom(47);
+  Drive(synthetic::Hall(), SE2{6.0, 3.0, 0.8});
+  for (const backend::Edge& closure : closer_.closures()) {
+    const SE2 off = Between(Between(truth_.at(closure.i), truth_.at(closure.j)), closure.i_T_j);
+    EXPECT_LT(off.translation().norm(), 0.05) << closure.i << ' ' << closure.j;
+  }
 }
 
 TEST_F(CarriedRobot, StaysLostWhereItHasNeverBeen) {

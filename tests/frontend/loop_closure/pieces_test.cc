@@ -86,9 +86,22 @@ TEST_F(ThreePieces, StayWhereClosuresFindThemAboutRight) {
 }
 
 TEST_F(ThreePieces, AreOutOfSightUntilTheyAreJoined) {
-  pieces_.Separate(std::vector<Edge>{Closure(5, 9, {4, 0, 0})}, &poses_);
+  pieces_.Separate(std::vector<Edge>{Closure(5, 9, {4, 0, 0})}, Pieces::Sight::kScans, &poses_);
   EXPECT_GT(Between(poses_[3], poses_[4]).translation().norm(), 1000.0);
   EXPECT_LT(Off(5, 9, {4, 0, 0}), 1e-9);
+}
+
+TEST(Pieces, ToWhichTheWheelsToldTheWayAreInSightOfTheWheelsOnly) {
+  Pieces pieces;
+  pieces.Begin(2, true);
+  pieces.Begin(4, false);
+  const std::vector<SE2> before = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}};
+  std::vector<SE2> by_wheels = before, by_scans = before;
+  pieces.Separate({}, Pieces::Sight::kWheels, &by_wheels);
+  pieces.Separate({}, Pieces::Sight::kScans, &by_scans);
+  EXPECT_TRUE(by_wheels[2] == before[2]);
+  EXPECT_GT(Between(by_wheels[3], by_wheels[4]).translation().norm(), 1000.0);
+  EXPECT_GT(Between(by_scans[1], by_scans[2]).translation().norm(), 1000.0);
 }
 
 }  // namespace
