@@ -262,10 +262,9 @@ void LidarOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) 
   }
   for (Match& match : *matches) {
     // What covers a laser stays for a while, and lets no beam see through walls.
-    const bool may_be_covered = match.seen_through <= kCovered * match.evidence.contradicted;
-    const double garbage_nats =
-        (new_piece_ && may_be_covered ? kStillGarbage_nats : kGarbage_nats) +
-        kNatsPerBeam * usual_fit_ * match.seen_through;
+    const bool is_covered =
+        new_piece_ && match.seen_through <= kCovered * match.evidence.contradicted;
+    const double garbage_nats = is_covered ? kStillGarbage_nats : kGarbage_nats;
     match.log_posterior = std::max(Nats(match, least_unknown), -garbage_nats) +
                           prior.LogDensity(Between(odom_T_robot_, match.odom_T_robot));
   }

@@ -48,7 +48,8 @@ std::vector<std::size_t> SoundMembers(const ProofOptions& options, const DriftMo
                                       const DrivenPath& path,
                                       const std::vector<ClosureRecord>& records,
                                       const ClosureSet& set) {
-  if (static_cast<int>(set.members.size()) < options.min_members) return {};
+  const int min_members = set.wheels_agree ? options.min_members_by_wheels : options.min_members;
+  if (static_cast<int>(set.members.size()) < min_members) return {};
   const std::vector<std::size_t> all = Thinned(set.members);
   std::vector<std::size_t> members;
   for (const int k : LargestConsistentSet(static_cast<int>(all.size()), [&](int a, int b) {
@@ -58,7 +59,7 @@ std::vector<std::size_t> SoundMembers(const ProofOptions& options, const DriftMo
     members.push_back(all[k]);
   }
   const auto count = static_cast<int>(members.size());
-  if (count < options.min_members) return {};
+  if (count < min_members) return {};
   if (count < options.min_per_contradiction * set.contradictions) return {};
   if (SmallestGate(records, members) > options.impossible_mahalanobis_sq) return {};
   return members;
@@ -127,6 +128,7 @@ std::vector<std::vector<std::size_t>> ProvenSets(const ProofOptions& options,
   std::vector<std::vector<std::size_t>> proven(sets.size());
   for (std::size_t k = 0; k < sets.size(); ++k) {
     double proof = ProofOf(options, path, records, sound[k]);
+    if (proof > 0.0 && sets[k].wheels_agree) proof += options.wheels_proof;
     std::vector<std::size_t> counted = {k};
     for (std::size_t other = 0; other < sets.size() && proof > 0.0 && proof < 1.0; ++other) {
       if (!Agree(options, drift, path, records, sound[k], sound[other])) continue;

@@ -26,16 +26,21 @@ struct ClosureSet {
   int first_node = 0;                // the path has been followed from here
   int last_node = 0;                 // to here
   bool is_accepted = false;
+  bool wheels_agree = false;  // on where another piece lies
 
   // For sessions (frontend/session).
   template <typename Archive>
   void serialize(Archive& archive) {
-    archive(members, contradictions, first_node, last_node, is_accepted);
+    archive(members, contradictions, first_node, last_node, is_accepted, wheels_agree);
   }
 };
 
 struct ProofOptions {
   int min_members = 4;
+  // Where a piece of the path lies as the wheels say: fewer, over less driving, as they are a part
+  // of the proof.
+  int min_members_by_wheels = 3;
+  double wheels_proof = 0.7;
   // Of driving, from the first member to the last: so much where drift explains how far off the
   // member is for which that is easiest. Grows in proportion to how far off it is in standard
   // deviations beyond that: a corridor may look the same for 50 m, turned around.

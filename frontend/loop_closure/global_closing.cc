@@ -28,10 +28,13 @@ GlobalCloser::GlobalCloser(const Options& options, const Verifier& verifier,
       candidates_(candidates),
       places_(options.search) {}
 
-GlobalCloser::Decisions GlobalCloser::Update(const DrivenPath& path, const ScanOfNode& scan_of_node,
+GlobalCloser::Decisions GlobalCloser::Update(const DrivenPath& path,
+                                             const std::vector<SE2>& by_wheels,
+                                             const ScanOfNode& scan_of_node,
                                              std::span<const backend::Edge> closures,
                                              std::vector<ClosureRecord>* records) {
-  const Call call{path, scan_of_node, closures, records, NodeBehind(path, options_.search.reach_m)};
+  const Call call{path,     by_wheels, scan_of_node,
+                  closures, records,   NodeBehind(path, options_.search.reach_m)};
   AddPlaces(call);
   FollowAll(call);
   const int place = places_.size() - 1;
@@ -45,10 +48,12 @@ GlobalCloser::Decisions GlobalCloser::Update(const DrivenPath& path, const ScanO
   return Decide(call);
 }
 
-GlobalCloser::Decisions GlobalCloser::Finish(const DrivenPath& path, const ScanOfNode& scan_of_node,
+GlobalCloser::Decisions GlobalCloser::Finish(const DrivenPath& path,
+                                             const std::vector<SE2>& by_wheels,
+                                             const ScanOfNode& scan_of_node,
                                              std::span<const backend::Edge> closures,
                                              std::vector<ClosureRecord>* records) {
-  const Call call{path, scan_of_node, closures, records, NodeBehind(path, 0.0)};
+  const Call call{path, by_wheels, scan_of_node, closures, records, NodeBehind(path, 0.0)};
   AddPlaces(call);
   FollowAll(call);
   for (int place = 0; place < places_.size(); ++place) {
@@ -92,7 +97,7 @@ void GlobalCloser::Search(const Call& call, int place) {
     return ways[old] >= min_path_length_m && (ways[old] < kUnknownWay_m || old >= joinable_from_);
   };
   for (const PlaceMatch& match : places_.Find(place, ways_driven, may_match)) {
-    if (IsExplained(call, node, match)) continue;
+    if (IsExplained(call, node, match.old_node, match.old_T_node)) continue;
     const std::vector<SE2>& poses = call.path.world_T_nodes;
     const Candidate candidate{match.old_node, ways[match.old_node],
                               Between(poses[match.old_node], poses[node]).translation().norm()};
@@ -111,20 +116,53 @@ void GlobalCloser::Search(const Call& call, int place) {
           poses, call.scan_of_node, node, candidate,
           {match.old_T_node, {options_.seed_window_m, options_.seed_window_rad}});
     }
-    record.source = Source::kPlace;
-    call.records->push_back(record);
-    if (record.verdict != Verdict::kUnconfirmed) continue;
-    ClosureSet& set = sets_.emplace_back();
-    set.members.push_back(call.records->size() - 1);
-    set.first_node = set.last_node = node;
-    Follow(call, -1, &set);
-    Follow(call, +1, &set);
+    const SE2 off =
+        Between(Between(call.by_wheels[record.old_node], call.by_wheels[node]), record.old_T_node);
+    AddSeed(call, record,
+            candidate.path_length_m >= kUnknownWay_m &&
+                off.translation().norm() <= options_.wheels_agree_m &&
+                std::abs(off.theta) <= options_.wheels_agree_rad);
   }
+  SearchNearWheels(call, node, ways);
+}
+
+// A place of another piece that the wheels say is near need not be recognized. They may be wrong,
+// as of a robot that somebody has carried: it takes as much to prove it.
+void GlobalCloser::SearchNearWheels(const Call& call, int node, const std::vector<double>& ways) {
+  const std::vector<SE2>& poses = call.by_wheels;
+  Candidate nearest{-1, kUnknownWay_m, candidates_.max_distance_m};
+  for (int old = joinable_from_; old < node; ++old) {
+    const double distance_m = Between(poses[old], poses[node]).translation().norm();
+    if (ways[old] >= kUnknownWay_m && distance_m < nearest.distance_m) {
+      nearest = {old, ways[old], distance_m};
+    }
+  }
+  if (nearest.old_node < 0) return;
+  const SE2 old_T_node = Between(poses[nearest.old_node], poses[node]);
+  if (IsExplained(call, node, nearest.old_node, old_T_node)) return;
+  AddSeed(call,
+          verifier_.VerifyAt(call.path.world_T_nodes, call.scan_of_node, node, nearest,
+                             {old_T_node, {options_.wheels_window_m, options_.wheels_window_rad}}),
+          true);
+}
+
+// Begins a hypothesis with what was found of a place, if it was verified, and follows it.
+void GlobalCloser::AddSeed(const Call& call, const ClosureRecord& record, bool wheels_agree) {
+  call.records->push_back(record);
+  call.records->back().source = Source::kPlace;
+  if (record.verdict != Verdict::kUnconfirmed) return;
+  ClosureSet& set = sets_.emplace_back();
+  set.members.push_back(call.records->size() - 1);
+  set.first_node = set.last_node = record.node;
+  set.wheels_agree = wheels_agree;
+  Follow(call, -1, &set);
+  Follow(call, +1, &set);
 }
 
 // Whether a hypothesis that there is says the same.
-bool GlobalCloser::IsExplained(const Call& call, int node, const PlaceMatch& match) const {
-  const SE2 pose = call.path.world_T_nodes[match.old_node] * match.old_T_node;
+bool GlobalCloser::IsExplained(const Call& call, int node, int old_node,
+                               const SE2& old_T_node) const {
+  const SE2 pose = call.path.world_T_nodes[old_node] * old_T_node;
   return std::any_of(sets_.begin(), sets_.end(), [&](const ClosureSet& set) {
     if (node < set.first_node || node > set.last_node) return false;
     const SE2 off = Between(

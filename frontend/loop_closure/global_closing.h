@@ -33,6 +33,10 @@ class GlobalCloser {
     double follow_up_to_m = 12.0;      // of driving, beyond the last member
     double seed_window_m = 0.5;        // around the match of places
     double seed_window_rad = 0.1;
+    double wheels_window_m = 3.0;  // around where the wheels say, from piece to piece
+    double wheels_window_rad = 0.4;
+    double wheels_agree_m = 1.5;
+    double wheels_agree_rad = 0.15;
     double window_m_per_m = 0.05;  // grows with the driving from the nearest member
     double window_rad_per_m = 0.01;
     double old_window_m = 20.0;  // of driving, around the nearest member's old node
@@ -56,13 +60,16 @@ class GlobalCloser {
                const CandidateOptions& candidates);
 
   // Looks for the places that the path has left behind, and follows hypotheses up to there. Adds
-  // records of what it looked at.
-  Decisions Update(const DrivenPath& path, const ScanOfNode& scan_of_node,
-                   std::span<const backend::Edge> closures, std::vector<ClosureRecord>* records);
+  // records of what it looked at. `by_wheels`: poses of the nodes of which those of two pieces that
+  // are not joined are near each other only where the wheels say so.
+  Decisions Update(const DrivenPath& path, const std::vector<backend::SE2>& by_wheels,
+                   const ScanOfNode& scan_of_node, std::span<const backend::Edge> closures,
+                   std::vector<ClosureRecord>* records);
 
   // Looks for all places that no accepted closure is near to and that were not looked for.
-  Decisions Finish(const DrivenPath& path, const ScanOfNode& scan_of_node,
-                   std::span<const backend::Edge> closures, std::vector<ClosureRecord>* records);
+  Decisions Finish(const DrivenPath& path, const std::vector<backend::SE2>& by_wheels,
+                   const ScanOfNode& scan_of_node, std::span<const backend::Edge> closures,
+                   std::vector<ClosureRecord>* records);
 
   // For sessions (frontend/session).
   template <typename Archive>
@@ -74,6 +81,7 @@ class GlobalCloser {
   // What all steps of a call share.
   struct Call {
     const DrivenPath& path;
+    const std::vector<backend::SE2>& by_wheels;
     const ScanOfNode& scan_of_node;
     std::span<const backend::Edge> closures;
     std::vector<ClosureRecord>* records;
@@ -83,7 +91,9 @@ class GlobalCloser {
   void AddPlaces(const Call& call);
   void Search(const Call& call, int place);
   bool IsSettled(const Call& call, int node) const;
-  bool IsExplained(const Call& call, int node, const PlaceMatch& match) const;
+  void SearchNearWheels(const Call& call, int node, const std::vector<double>& ways);
+  void AddSeed(const Call& call, const ClosureRecord& record, bool wheels_agree);
+  bool IsExplained(const Call& call, int node, int old_node, const backend::SE2& old_T_node) const;
   void FollowAll(const Call& call);
   void Follow(const Call& call, int direction, ClosureSet* set);
   void Look(const Call& call, int node, ClosureSet* set);

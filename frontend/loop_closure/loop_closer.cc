@@ -16,13 +16,14 @@ LoopCloser::LoopCloser(const Options& options)
       global_(options.global, verifier_, options.drift, options.candidates) {}
 
 int LoopCloser::Update(const std::vector<SE2>& estimate, const ScanOfNode& scan_of_node) {
+  const std::vector<double> ways_driven = WaysAcrossPieces(estimate);
+  const std::vector<SE2> world_T_nodes = InSight(estimate);
   int accepted = 0;
   if (options_.search_everywhere) {
-    const std::vector<double> ways = WaysAcrossPieces(estimate, Pieces::Sight::kScans);
-    const std::vector<SE2> poses = InSight(estimate, Pieces::Sight::kScans);
-    accepted += Follow(global_.Update({poses, ways}, scan_of_node, closures_, &records_));
+    accepted += Follow(global_.Update({world_T_nodes, ways_driven},
+                                      InSight(estimate, Pieces::Sight::kWheels), scan_of_node,
+                                      closures_, &records_));
   }
-  const std::vector<double> ways_driven = WaysAcrossPieces(estimate, Pieces::Sight::kWheels);
   // What lies ahead of the node is part of what is matched.
   const auto ahead = std::upper_bound(ways_driven.begin(), ways_driven.end(),
                                       ways_driven.back() - options_.verifier.new_reach_m);
@@ -31,13 +32,12 @@ int LoopCloser::Update(const std::vector<SE2>& estimate, const ScanOfNode& scan_
     return accepted;
   }
   last_search_m_ = ways_driven[node];
-  return accepted +
-         SearchNear(InSight(estimate, Pieces::Sight::kWheels), ways_driven, scan_of_node, node);
+  return accepted + SearchNear(world_T_nodes, ways_driven, scan_of_node, node);
 }
 
 int LoopCloser::UpdateAll(const std::vector<SE2>& estimate, const ScanOfNode& scan_of_node) {
-  const std::vector<double> ways_driven = WaysAcrossPieces(estimate, Pieces::Sight::kWheels);
-  const std::vector<SE2> world_T_nodes = InSight(estimate, Pieces::Sight::kWheels);
+  const std::vector<double> ways_driven = WaysAcrossPieces(estimate);
+  const std::vector<SE2> world_T_nodes = InSight(estimate);
   double last_search_m = -options_.search_every_m;
   int accepted = 0;
   for (int node = 0; node < static_cast<int>(world_T_nodes.size()); ++node) {
@@ -46,21 +46,19 @@ int LoopCloser::UpdateAll(const std::vector<SE2>& estimate, const ScanOfNode& sc
     accepted += SearchNear(world_T_nodes, ways_driven, scan_of_node, node);
   }
   if (options_.search_everywhere) {
-    const std::vector<double> ways = WaysAcrossPieces(estimate, Pieces::Sight::kScans);
-    const std::vector<SE2> poses = InSight(estimate, Pieces::Sight::kScans);
-    accepted += Follow(global_.Finish({poses, ways}, scan_of_node, closures_, &records_));
+    accepted += Follow(global_.Finish({world_T_nodes, ways_driven},
+                                      InSight(estimate, Pieces::Sight::kWheels), scan_of_node,
+                                      closures_, &records_));
   }
   return accepted;
 }
 
-std::vector<double> LoopCloser::WaysAcrossPieces(const std::vector<SE2>& world_T_nodes,
-                                                 Pieces::Sight sight) const {
+std::vector<double> LoopCloser::WaysAcrossPieces(const std::vector<SE2>& world_T_nodes) const {
   std::vector<double> ways = WaysDriven(world_T_nodes);
   for (int piece = 1; piece < pieces_.size(); ++piece) {
     const int first = pieces_.FirstNode(piece);
     // The same however corrections move the pieces.
-    const double way_m = pieces_.IsInSight(piece, sight) ? options_.lost_way_m : kUnknownWay_m;
-    const double more_m = way_m - (ways[first] - ways[first - 1]);
+    const double more_m = kUnknownWay_m - (ways[first] - ways[first - 1]);
     for (std::size_t k = first; k < ways.size(); ++k) ways[k] += more_m;
   }
   return ways;
@@ -124,8 +122,8 @@ int LoopCloser::Review(const std::vector<SE2>& world_T_nodes) {
 }
 
 std::vector<UnprovenClosure> LoopCloser::Unproven(const std::vector<SE2>& estimate) const {
-  const std::vector<double> ways_driven = WaysAcrossPieces(estimate, Pieces::Sight::kScans);
-  const std::vector<SE2> world_T_nodes = InSight(estimate, Pieces::Sight::kScans);
+  const std::vector<double> ways_driven = WaysAcrossPieces(estimate);
+  const std::vector<SE2> world_T_nodes = InSight(estimate);
   return UnprovenClosures({.apart_m = options_.confirm_beyond_m,
                            .within_m = options_.confirm_within_m,
                            .settled_m = options_.global.settled_m,

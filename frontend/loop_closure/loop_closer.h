@@ -29,8 +29,6 @@ class LoopCloser {
     // Nor do two confirm each other, of which none is accepted, that are nearer than this part of
     // the window that they were found in reaches: they may have mistaken the same obstacle.
     double confirm_beyond_windows = 0.5;
-    // Way of the drift model that stands for a way on which the robot was lost, and its wheels not.
-    double lost_way_m = 60.0;
     DriftModel drift;
     CandidateOptions candidates;
     Verifier::Options verifier;
@@ -45,9 +43,9 @@ class LoopCloser {
 
   explicit LoopCloser(const Options& options);
 
-  // The motion to this node, later than all before, from the one before it no scan tells. If the
-  // wheels told it, closures near the estimate can join what comes now with what was; else only the
-  // look of places can.
+  // No scan tells the motion to this node, later than all before, from the one before it: only
+  // places can join what comes now with what was, by their look or, if the wheels told the way, by
+  // where that leads.
   void BeginPiece(int node, bool wheels_told_way) { pieces_.Begin(node, wheels_told_way); }
   const Pieces& pieces() const { return pieces_; }
 
@@ -113,10 +111,9 @@ class LoopCloser {
                  const std::vector<double>& ways_driven, const ScanOfNode& scan_of_node, int node);
   int Confirm(const std::vector<backend::SE2>& world_T_nodes,
               const std::vector<double>& ways_driven, std::size_t newest);
-  std::vector<double> WaysAcrossPieces(const std::vector<backend::SE2>& world_T_nodes,
-                                       Pieces::Sight sight) const;
+  std::vector<double> WaysAcrossPieces(const std::vector<backend::SE2>& world_T_nodes) const;
   std::vector<backend::SE2> InSight(const std::vector<backend::SE2>& world_T_nodes,
-                                    Pieces::Sight sight) const;
+                                    Pieces::Sight sight = Pieces::Sight::kScans) const;
   int Follow(const GlobalCloser::Decisions& decisions);
   double ConfirmBeyond(const ClosureRecord& a, const ClosureRecord& b) const;
   bool IsClosed(const ClosureRecord& record) const;

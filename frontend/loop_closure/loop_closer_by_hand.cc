@@ -60,9 +60,8 @@ int LoopCloser::Edit(const std::vector<ClosureRecord>& edited) {
 
 ClosureRecord LoopCloser::Measure(const std::vector<SE2>& estimate, const ScanOfNode& scan_of_node,
                                   int old_node, int node) const {
-  const std::vector<SE2> world_T_nodes = InSight(estimate, Pieces::Sight::kScans);
-  const std::vector<double> ways =
-      ShortestWays(WaysAcrossPieces(estimate, Pieces::Sight::kScans), closures_, node);
+  const std::vector<SE2> world_T_nodes = InSight(estimate);
+  const std::vector<double> ways = ShortestWays(WaysAcrossPieces(estimate), closures_, node);
   const SE2 old_T_node = Between(world_T_nodes[old_node], world_T_nodes[node]);
   const Candidate candidate{old_node, ways[old_node], old_T_node.translation().norm()};
   scan_matching::SearchWindow window = verifier_.WindowOf(candidate.path_length_m);
