@@ -205,6 +205,11 @@ void ControlInput::ReportMatch(const ScanMotion& motion, const OdometryCheck::St
         "it is taken to go on as before");
     health_->Mark("ambiguous", stamp_s);
   }
+  if (unchecked_way_.Add(motion.motion.translation().norm(), motion.unchecked)) {
+    health_->Report("odometry_unchecked", stamp_s,
+                    "for most of 10 m the scans fit as well farther on and farther back, as in a "
+                    "corridor: how far the robot went is what the odometry says, right or wrong");
+  }
   if (!motion.alternatives.empty()) {
     health_->Report("ambiguous_scan", stamp_s,
                     "a scan fits in " + std::to_string(motion.alternatives.size()) +

@@ -13,6 +13,7 @@
 #include "frontend/sensor/laser_scan.h"
 #include "frontend/sensor/odometry_check.h"
 #include "frontend/stand_still.h"
+#include "frontend/unchecked_way.h"
 
 namespace gmapping_spa::frontend {
 
@@ -47,8 +48,8 @@ class ControlInput {
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(check_, lidar_odometry_, odom_T_previous_, stand_still_, has_reported_sweep_,
-            odometry_scale_, has_contradicted_sweep_, has_reported_calibration_, has_seen_,
-            blind_stamps_s_);
+            odometry_scale_, unchecked_way_, has_contradicted_sweep_, has_reported_calibration_,
+            has_seen_, blind_stamps_s_);
   }
 
  private:
@@ -70,7 +71,8 @@ class ControlInput {
   OdometryScale odometry_scale_;
   LidarOdometry lidar_odometry_;
   std::optional<backend::SE2> odom_T_previous_;  // of kRaw: what the log last said
-  StandStill stand_still_;                       // of kRaw
+  UncheckedWay unchecked_way_;
+  StandStill stand_still_;  // of kRaw
   bool has_reported_sweep_ = false, has_contradicted_sweep_ = false;
   bool has_reported_calibration_ = false;
   bool has_seen_ = false;               // any obstacle so far

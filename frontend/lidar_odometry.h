@@ -42,6 +42,8 @@ struct ScanMotion {
   bool wheels_mirrored = false;   // whether the wheels turn the other way than the scans
   // Whether neither the scan nor the wheels tell how far the robot has gone, as in a corridor.
   bool unobserved = false;
+  // Whether the wheels alone tell how far: the scan fits as well farther on and farther back.
+  bool unchecked = false;
   bool matched = true;  // whether the scan fits what was seen before
   // Where the robot was lost, and the last scans fit each other: so many, this one included, are
   // the begin of a new piece of map; how it lies to what was before is not known. Else zero.
@@ -98,7 +100,7 @@ class LidarOdometry {
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(map_, odom_T_robot_, odom_T_inserted_, stamp_s_, usual_motion_, usual_duration_s_,
-            usual_fit_, usual_unknown_, wheel_trust_, sweep_, scans_, doubtful_scans_,
+            usual_fit_, usual_unknown_, wheel_trust_, sweep_, fits_along_, scans_, doubtful_scans_,
             unsure_scans_, new_piece_begin_s_, new_piece_scans_, wheels_told_all_, seen_through_,
             contradicted_);
     bool is_lost = new_piece_ != nullptr;
@@ -132,6 +134,7 @@ class LidarOdometry {
   void CountBehindWalls(Match* match) const;
   static std::vector<backend::SE2> SearchCenters(const MotionPrior& prior,
                                                  const scan_matching::SearchWindow& window);
+  bool FitsAlong(const Match& match, const backend::SE2& motion) const;
   std::vector<Match> Search(const backend::SE2& center, const scan_matching::SearchWindow& window);
   bool IsConvincing(const Match& match, const MotionPrior& prior) const;
   double Nats(const Match& match, double least_unknown) const;
@@ -152,9 +155,10 @@ class LidarOdometry {
   double usual_unknown_ = 1.0;  // part of the beams that ends in unseen space, running mean
   WheelTrust wheel_trust_;
   SweepDuration sweep_;
-  int scans_ = 0;           // seen
-  int doubtful_scans_ = 0;  // in a row
-  int unsure_scans_ = 0;    // in a row, of which no match convinced
+  bool fits_along_ = false;  // whether the last scan that was tried fits farther on and back, too
+  int scans_ = 0;            // seen
+  int doubtful_scans_ = 0;   // in a row
+  int unsure_scans_ = 0;     // in a row, of which no match convinced
   // Of a robot that is lost: what its scans say to each other.
   std::unique_ptr<LidarOdometry> new_piece_;
   double new_piece_begin_s_ = 0.0;  // stamp of its first scan

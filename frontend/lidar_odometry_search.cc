@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a scan may fit that does not fit where it was expected.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -15,6 +16,12 @@ namespace {
 
 // About so many, evenly spread, tell where a scan fits; what is found is aligned by all beams.
 constexpr std::size_t kSearchBeams = 100;
+
+// A way is told where the scan fits this much worse so much farther on, and farther back.
+constexpr double kTold_nats = 3.0;
+constexpr double kAlong_m = 0.2;
+constexpr std::array<double, 2> kSides = {-1.0, 1.0};
+constexpr double kSomeMotion_m = 0.01;
 
 }  // namespace
 
@@ -45,6 +52,21 @@ void LidarOdometry::CountBehindWalls(Match* match) const {
   const double behind = std::min(match->evidence.unknown, through.into_unseen);
   match->evidence.unknown -= behind;
   match->evidence.contradicted += behind;
+}
+
+// Whether the scan fits about as well farther on and farther back on the way of this motion.
+bool LidarOdometry::FitsAlong(const Match& match, const SE2& motion) const {
+  const double way_m = motion.translation().norm();
+  if (way_m < kSomeMotion_m) return false;
+  scan_matching::EndpointModel model(options_.endpoint, &map_.grid(), &points_);
+  const Eigen::Vector2d along_m = kAlong_m / way_m * motion.translation();
+  const SE2 before = match.odom_T_robot * Inverse(motion);
+  return std::any_of(kSides.begin(), kSides.end(), [&](double side) {
+    Match moved = match;
+    const Eigen::Vector2d to = motion.translation() + side * along_m;
+    moved.evidence = model.Evaluate(before * SE2{to.x(), to.y(), motion.theta});
+    return Nats(match, 0.0) - Nats(moved, 0.0) < kTold_nats;
+  });
 }
 
 // The best and the second best match of a window.

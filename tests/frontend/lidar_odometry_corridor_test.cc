@@ -139,5 +139,18 @@ TEST_P(LidarOdometryInACorridor, WhatNeitherScansNorWheelsTellIsKnown) {
   EXPECT_EQ(count(synthetic::Room(), false), 0);
 }
 
+TEST_P(LidarOdometryInACorridor, WhatTheWheelsAloneTellIsKnown) {
+  const auto unchecked = [&](const synthetic::Walls& walls) {
+    Drive drive(walls);
+    int count = 0;
+    for (int step = 0; step <= 60; ++step) {
+      count += drive.To(SE2{0, 0, GetParam()} * SE2{0.05 * step - 1.5, 0.1, 0.0}).unchecked ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_GT(unchecked(synthetic::Corridor(GetParam())), 40);
+  EXPECT_EQ(unchecked(synthetic::Room()), 0);
+}
+
 }  // namespace
 }  // namespace gmapping_spa::frontend
