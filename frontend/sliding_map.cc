@@ -74,6 +74,11 @@ void SlidingMap::Clear() {
   search_.reset();
 }
 
+const map::OccupancyGrid& SlidingMap::grid() const {
+  CHECK(!maps_.empty());
+  return maps_.front().grid;
+}
+
 const scan_matching::CorrelativeMatcher& SlidingMap::Search(
     const scan_matching::CorrelativeMatcher::Options& options, const SE2& odom_T_robot,
     double reach_m) {

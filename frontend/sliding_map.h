@@ -22,7 +22,8 @@ class SlidingMap {
   SlidingMap(const map::OccupancyGrid::Options& grid, int scans);
 
   bool empty() const { return maps_.empty(); }
-  const map::OccupancyGrid& grid() const { return maps_.front().grid; }
+  // Not of an empty one.
+  const map::OccupancyGrid& grid() const;
 
   void Insert(const sensor::LaserScan& scan, const backend::SE2& odom_T_robot);
   // Forgets everything.
