@@ -200,8 +200,7 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   const SE2 since_inserted = Between(odom_T_inserted_, odom_T_robot_);
   const bool moved_on = since_inserted.translation().norm() > density * options_.insert_m ||
                         std::abs(since_inserted.theta) > density * options_.insert_rad;
-  if (moved_on && !map_.empty())
-    fits_along_ = FitsAlong(best, result.motion);  // as often as it may change
+  if (moved_on) fits_along_ = FitsAlong(best, result.motion);  // as often as it may change
   result.unchecked = wheels_tell && fits_along_;
   if (map_.empty() || (moved_on && result.matched && !is_ambiguous)) {
     odom_T_inserted_ = odom_T_robot_;

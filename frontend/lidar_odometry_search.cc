@@ -57,7 +57,7 @@ void LidarOdometry::CountBehindWalls(Match* match) const {
 // Whether the scan fits about as well farther on and farther back on the way of this motion.
 bool LidarOdometry::FitsAlong(const Match& match, const SE2& motion) const {
   const double way_m = motion.translation().norm();
-  if (way_m < kSomeMotion_m) return false;
+  if (map_.empty() || way_m < kSomeMotion_m) return false;
   scan_matching::EndpointModel model(options_.endpoint, &map_.grid(), &points_);
   const Eigen::Vector2d along_m = kAlong_m / way_m * motion.translation();
   const SE2 before = match.odom_T_robot * Inverse(motion);

@@ -121,8 +121,8 @@ TEST(LidarOdometry, TheScanOfARepetitionIsNotLookedAt) {
   drive.ExpectIsWhereItIs(0.03, 0.01);
 }
 
-TEST(LidarOdometry, PlacesThatFitAlikeComeBackAsAlternatives) {
-  // Niches every half metre, of which the laser sees the same wherever it stands.
+// Niches every half metre, of which the laser sees the same wherever it stands.
+synthetic::Walls Niches() {
   std::vector<Eigen::Vector2d> comb;
   for (int i = -60; i < 60; ++i) {
     const double x = 0.5 * i;
@@ -133,7 +133,13 @@ TEST(LidarOdometry, PlacesThatFitAlikeComeBackAsAlternatives) {
     walls.push_back({comb[i], comb[i + 1]});
     walls.push_back({-comb[i], -comb[i + 1]});
   }
-  Drive drive(walls, {.beams = 360, .field_of_view_rad = 359 * kDeg, .usable_range_m = 6.0});
+  return walls;
+}
+constexpr synthetic::Laser kAllAround{
+    .beams = 360, .field_of_view_rad = 359 * kDeg, .usable_range_m = 6.0};
+
+TEST(LidarOdometry, PlacesThatFitAlikeComeBackAsAlternatives) {
+  Drive drive(Niches(), kAllAround);
   for (int step = 0; step <= 10; ++step) drive.To({0, 0, 0});
   const ScanMotion motion = drive.To({0.25, 0, 0}, {{}, OdometryFault::kRestart});
   EXPECT_TRUE(motion.searched);
@@ -149,6 +155,17 @@ TEST(LidarOdometry, PlacesThatFitAlikeComeBackAsAlternatives) {
   EXPECT_GT(forward, 0.1);
   EXPECT_GT(backward, 0.1);
   EXPECT_TRUE((motion.motion == motion.alternatives.front().motion));
+}
+
+// The map is forgotten where no place is likelier, and what fits along the way is not asked of it.
+TEST(LidarOdometry, GoesOnWhereItForgetsTheMapAndHasMovedOn) {
+  LidarOdometry::Options options;
+  options.insert_m = 0.1;
+  Drive drive(Niches(), kAllAround, options);
+  for (int step = 0; step <= 10; ++step) drive.To({0, 0, 0});
+  const ScanMotion motion = drive.To({0.25, 0, 0}, {{}, OdometryFault::kRestart});
+  EXPECT_GE(motion.alternatives.size(), 2u);
+  EXPECT_FALSE(motion.unchecked);
 }
 
 }  // namespace
