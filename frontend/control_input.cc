@@ -207,7 +207,7 @@ void ControlInput::ReportMatch(const ScanMotion& motion, const OdometryCheck::St
   }
   if (unchecked_way_.Add(motion.motion.translation().norm(), motion.unchecked)) {
     health_->Report("odometry_unchecked", stamp_s,
-                    "for most of 10 m the scans fit as well farther on and farther back, as in a "
+                    "for most of 10 m the scans fit as well farther on or farther back, as in a "
                     "corridor: how far the robot went is what the odometry says, right or wrong");
   }
   if (!motion.alternatives.empty()) {

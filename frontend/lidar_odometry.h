@@ -42,7 +42,7 @@ struct ScanMotion {
   bool wheels_mirrored = false;   // whether the wheels turn the other way than the scans
   // Whether neither the scan nor the wheels tell how far the robot has gone, as in a corridor.
   bool unobserved = false;
-  // Whether the wheels alone tell how far: the scan fits as well farther on and farther back.
+  // Whether the wheels alone tell how far: the scan fits as well farther on or farther back.
   bool unchecked = false;
   bool matched = true;  // whether the scan fits what was seen before
   // Where the robot was lost, and the last scans fit each other: so many, this one included, are

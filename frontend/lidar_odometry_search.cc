@@ -54,7 +54,7 @@ void LidarOdometry::CountBehindWalls(Match* match) const {
   match->evidence.contradicted += behind;
 }
 
-// Whether the scan fits about as well farther on and farther back on the way of this motion.
+// Whether the scan fits about as well farther on or farther back on the way of this motion.
 bool LidarOdometry::FitsAlong(const Match& match, const SE2& motion) const {
   const double way_m = motion.translation().norm();
   if (map_.empty() || way_m < kSomeMotion_m) return false;

@@ -37,14 +37,14 @@ MotionPrior::MotionPrior(const Options& options, const std::optional<WheelMotion
                          const SE2& same_velocity, double duration_s, int steps) {
   const double square_s2 = duration_s * duration_s;
   const double widening = std::sqrt(steps);
-  const double right = wheels ? std::pow(1.0 - wheels->wrong, steps) : 0.0;
+  const double wheels_right = wheels ? std::pow(1.0 - wheels->wrong, steps) : 0.0;
   const MotionHypothesis going_on{
       .motion = same_velocity,
       .sigma_m = widening * (options.velocity_floor_m + options.acceleration_m_s2 * square_s2),
       .sigma_rad = std::min(
           widening * (options.velocity_floor_rad + options.angular_acceleration_rad_s2 * square_s2),
           std::numbers::pi),
-      .weight = 1.0 - right};
+      .weight = 1.0 - wheels_right};
   if (wheels) {
     const double linear_m = wheels->motion.translation().norm();
     const double angular_rad = std::abs(wheels->motion.theta);
@@ -58,7 +58,7 @@ MotionPrior::MotionPrior(const Options& options, const std::optional<WheelMotion
          .sigma_rad =
              widening * wheels->sigma_factor_rad *
              (options.floor_rad + options.rad_per_m * linear_m + options.rad_per_rad * angular_rad),
-         .weight = right,
+         .weight = wheels_right,
          .way_is_measured = wheels->tells_way && wheels->sigma_factor_m < kAboutAsExpected,
          .gain_m = wheels->gain_m,
          .gain_rad = wheels->gain_rad});

@@ -116,18 +116,12 @@ void GlobalCloser::Search(const Call& call, int place) {
           poses, call.scan_of_node, node, candidate,
           {match.old_T_node, {options_.seed_window_m, options_.seed_window_rad}});
     }
-    const SE2 off =
-        Between(Between(call.by_wheels[record.old_node], call.by_wheels[node]), record.old_T_node);
-    AddSeed(call, record,
-            candidate.path_length_m >= kUnknownWay_m &&
-                off.translation().norm() <= options_.wheels_agree_m &&
-                std::abs(off.theta) <= options_.wheels_agree_rad);
+    AddSeed(call, record);
   }
   SearchNearWheels(call, node, ways);
 }
 
-// A place of another piece that the wheels say is near need not be recognized. They may be wrong,
-// as of a robot that somebody has carried: it takes as much to prove it.
+// A place of another piece that the wheels say is near need not be recognized.
 void GlobalCloser::SearchNearWheels(const Call& call, int node, const std::vector<double>& ways) {
   const std::vector<SE2>& poses = call.by_wheels;
   Candidate nearest{-1, kUnknownWay_m, candidates_.max_distance_m};
@@ -142,19 +136,28 @@ void GlobalCloser::SearchNearWheels(const Call& call, int node, const std::vecto
   if (IsExplained(call, node, nearest.old_node, old_T_node)) return;
   AddSeed(call,
           verifier_.VerifyAt(call.path.world_T_nodes, call.scan_of_node, node, nearest,
-                             {old_T_node, {options_.wheels_window_m, options_.wheels_window_rad}}),
-          true);
+                             {old_T_node, {options_.wheels_window_m, options_.wheels_window_rad}}));
+}
+
+// Whether the record has another piece about where the wheels say. They may be wrong, as of a robot
+// that somebody has carried: they are a part of the proof.
+bool GlobalCloser::WheelsAgree(const Call& call, const ClosureRecord& record) const {
+  const std::vector<SE2>& poses = call.by_wheels;
+  const SE2 off = Between(Between(poses[record.old_node], poses[record.node]), record.old_T_node);
+  return record.path_length_m >= kUnknownWay_m &&
+         off.translation().norm() <= options_.wheels_window_m &&
+         std::abs(off.theta) <= options_.wheels_window_rad;
 }
 
 // Begins a hypothesis with what was found of a place, if it was verified, and follows it.
-void GlobalCloser::AddSeed(const Call& call, const ClosureRecord& record, bool wheels_agree) {
+void GlobalCloser::AddSeed(const Call& call, const ClosureRecord& record) {
   call.records->push_back(record);
   call.records->back().source = Source::kPlace;
   if (record.verdict != Verdict::kUnconfirmed) return;
   ClosureSet& set = sets_.emplace_back();
   set.members.push_back(call.records->size() - 1);
   set.first_node = set.last_node = record.node;
-  set.wheels_agree = wheels_agree;
+  set.wheels_agree = WheelsAgree(call, record);
   Follow(call, -1, &set);
   Follow(call, +1, &set);
 }

@@ -35,8 +35,6 @@ class GlobalCloser {
     double seed_window_rad = 0.1;
     double wheels_window_m = 3.0;  // around where the wheels say, from piece to piece
     double wheels_window_rad = 0.4;
-    double wheels_agree_m = 1.5;
-    double wheels_agree_rad = 0.15;
     double window_m_per_m = 0.05;  // grows with the driving from the nearest member
     double window_rad_per_m = 0.01;
     double old_window_m = 20.0;  // of driving, around the nearest member's old node
@@ -92,7 +90,8 @@ class GlobalCloser {
   void Search(const Call& call, int place);
   bool IsSettled(const Call& call, int node) const;
   void SearchNearWheels(const Call& call, int node, const std::vector<double>& ways);
-  void AddSeed(const Call& call, const ClosureRecord& record, bool wheels_agree);
+  void AddSeed(const Call& call, const ClosureRecord& record);
+  bool WheelsAgree(const Call& call, const ClosureRecord& record) const;
   bool IsExplained(const Call& call, int node, int old_node, const backend::SE2& old_T_node) const;
   void FollowAll(const Call& call);
   void Follow(const Call& call, int direction, ClosureSet* set);
