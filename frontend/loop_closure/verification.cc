@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/loop_closure/verification.h"
-#include "frontend/scan_matching/joined_points.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+
+#include "frontend/loop_closure/explanation.h"
+#include "frontend/scan_matching/joined_points.h"
 
 namespace gmapping_spa::loop_closure {
 
@@ -12,52 +14,17 @@ using backend::SE2;
 
 namespace {
 
-// Part of the points that end in cells of the map that some beam has met.
-double Overlap(const map::OccupancyGrid& map, const scan_matching::ScanPoints& points,
-               const SE2& map_T_scan) {
-  if (points.empty()) return 0.0;
-  const double cells_per_m = 1.0 / map.resolution_m();
-  const auto known = std::count_if(points.begin(), points.end(), [&](const auto& point) {
-    const Eigen::Vector2d at = map_T_scan * Eigen::Vector2d(point.x_m, point.y_m) * cells_per_m;
-    return map.cell({map::FloorToCell(at.x()), map::FloorToCell(at.y())}).visits > 0;
-  });
-  return static_cast<double>(known) / static_cast<double>(points.size());
-}
-
-// Of the points in the known part of the map those that end near an obstacle.
-struct Explanation {
-  int known = 0;
-  int explained = 0;
-  double part() const { return known > 0 ? static_cast<double>(explained) / known : 0.0; }
-};
-
-Explanation Explain(const map::OccupancyGrid& map, const scan_matching::ScanPoints& points,
-                    const SE2& map_T_scan, double occupied_threshold, int reach_cells) {
-  const double cells_per_m = 1.0 / map.resolution_m();
-  Explanation explanation;
-  for (const scan_matching::ScanPoint& point : points) {
-    const Eigen::Vector2d at = map_T_scan * Eigen::Vector2d(point.x_m, point.y_m) * cells_per_m;
-    const map::CellIndex cell{map::FloorToCell(at.x()), map::FloorToCell(at.y())};
-    if (map.cell(cell).visits == 0) continue;
-    ++explanation.known;
-    bool found = false;
-    for (int y = -reach_cells; y <= reach_cells && !found; ++y) {
-      for (int x = -reach_cells; x <= reach_cells && !found; ++x) {
-        const map::Cell& near = map.cell({cell.x + x, cell.y + y});
-        found = near.hits > occupied_threshold * near.visits;
-      }
-    }
-    explanation.explained += found ? 1 : 0;
-  }
-  return explanation;
-}
-
 // Who drifted by more than this does not fit the old map any more where the estimate says: there 10
 // to 80 % of what true closures explain is explained on recorded logs, and more than 95 % where a
 // building repeats itself and nothing has drifted.
 constexpr double kElsewhere_m = 0.5;
 constexpr double kFitsAsWell = 0.9;
 constexpr double kLeastKnownPart = 0.1;
+
+// Scans in which less than the one explains each other ask for less in proportion, down to the
+// other: among people, or with few beams, no more fits.
+constexpr double kWellMapped = 0.86;
+constexpr double kLeastUsual = 0.6;
 
 // Within which a pose that was predicted and not found is taken to be right.
 constexpr double kPredicted_m = 0.3;
@@ -196,9 +163,21 @@ void Verifier::AskOldScans(const std::vector<SE2>& world_T_nodes, const ScanOfNo
   // Where new scans see little that is known, what they see through still speaks.
   const bool says_much = is_found || explanation.known >= 0.5 * options_.min_expected_overlap *
                                                               static_cast<double>(points.size());
-  if (says_much && record->mutual_inlier_ratio < options_.min_mutual_inlier_ratio) {
+  if (says_much && !Fits(record->mutual_inlier_ratio, options_.min_mutual_inlier_ratio,
+                         world_T_nodes, scan_of_node, record->old_node, old_nodes)) {
     record->verdict = Verdict::kSeenThrough;
   }
+}
+
+bool Verifier::Fits(double inlier_ratio, double min_inlier_ratio,
+                    const std::vector<SE2>& world_T_nodes, const ScanOfNode& scan_of_node, int node,
+                    NodeRange around) const {
+  if (inlier_ratio >= min_inlier_ratio) return true;
+  if (inlier_ratio < kLeastUsual / kWellMapped * min_inlier_ratio) return false;
+  const double usual =
+      std::max(kLeastUsual, UsualInlierRatio(world_T_nodes, scan_of_node, around, node,
+                                             options_.cell_m, options_.grid, gauss_newton_));
+  return inlier_ratio >= usual / kWellMapped * min_inlier_ratio;
 }
 
 ClosureRecord Verifier::Compare(const std::vector<SE2>& world_T_nodes,
@@ -260,13 +239,15 @@ ClosureRecord Verifier::Compare(const std::vector<SE2>& world_T_nodes,
   record.information = WithMapErrors(options_.information_gain * fine.world_information);
 
   record.overlap = Overlap(map, points, fine.world_T_robot);
-  const double known = record.overlap * static_cast<double>(points.size());
-  record.inlier_ratio = known > 0.0 ? fine.inliers / known : 0.0;
+  record.inlier_ratio = InlierRatio(map, points, fine);
   const SE2 estimated = Between(world_T_nodes[old], world_T_nodes[node]);
   record.mahalanobis_sq =
       drift_.SquaredDistance(Between(estimated, fine.world_T_robot), candidate.path_length_m);
   if (record.overlap < options_.min_overlap) return decided(Verdict::kOverlap);
-  if (record.inlier_ratio < options_.min_inlier_ratio) return decided(Verdict::kInlierRatio);
+  if (!Fits(record.inlier_ratio, options_.min_inlier_ratio, world_T_nodes, scan_of_node, node,
+            new_nodes)) {
+    return decided(Verdict::kInlierRatio);
+  }
   return decided(Verdict::kUnconfirmed);
 }
 

@@ -40,9 +40,10 @@ class Verifier {
     // At the pose expected, unless the window is large; and at the one found.
     double min_expected_overlap = 0.4;
     double min_overlap = 0.5;
+    // Of the scans around the node in the old map; and of the old scans in the new map, where the
+    // prior is weak. Less where the scans of either explain each other less.
     double min_inlier_ratio = 0.6;
-    double min_mutual_inlier_ratio =
-        0.6;  // of the old scans in the new map, where the prior is weak
+    double min_mutual_inlier_ratio = 0.6;
     double max_mahalanobis_sq =
         13.8;                        // 99.9 % of a chi-square distribution of 2 degrees of freedom
     double information_gain = 0.02;  // neighboring points share the errors of the maps
@@ -83,6 +84,11 @@ class Verifier {
   // them. Then the building repeats itself, and nothing says that the estimate is wrong.
   bool MayBeChance(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
                    const backend::SE2& estimated_old_T_node, const ClosureRecord& record) const;
+  // Whether so much is explained as a true closure would have, by how well the scans around the
+  // node that is compared explain each other.
+  bool Fits(double inlier_ratio, double min_inlier_ratio,
+            const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
+            int node, NodeRange around) const;
   void LookForRivals(const std::vector<backend::SE2>& world_T_nodes, const ScanOfNode& scan_of_node,
                      ClosureRecord* record) const;
   RivalSearch::Options RivalOptions() const;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -141,6 +142,41 @@ TEST_F(Verification, AfterALongWayTheOldScansAreAskedAsWell) {
   EXPECT_EQ(Verify(5, 11 + 5, 400.0, strict).verdict, Verdict::kSeenThrough);
   // Where the estimate is good, it decides.
   EXPECT_EQ(Verify(5, 11 + 5, 48.0, strict).verdict, Verdict::kUnconfirmed);
+}
+
+// Whoever walks by hides the building, differently in each scan.
+TEST_F(Verification, AmongPeopleAsMuchMustFitAsScansThereFitEachOther) {
+  DriveTwiceThroughTheRing(kDrift);
+  for (int node = 11; node < 22; ++node) {
+    std::vector<sensor::Beam>& beams = scans_[node].beams;
+    for (int k = 0; k < static_cast<int>(beams.size()); ++k) {
+      if ((k / 6 * 7 + node * 13) % 10 < 3) beams[k].range_m *= 0.35 + 0.1 * ((k / 6 + node) % 4);
+    }
+  }
+  Verifier::Options strict;
+  strict.min_inlier_ratio = 1.05 * Verify(5, 11 + 5, 48.0).inlier_ratio;
+  const ClosureRecord record = Verify(5, 11 + 5, 48.0, strict);
+  EXPECT_EQ(record.verdict, Verdict::kUnconfirmed) << VerdictName(record.verdict);
+  EXPECT_LT(Between(Between(truth_[5], truth_[11 + 5]), record.old_T_node).translation().norm(),
+            0.03);
+  strict.min_inlier_ratio *= 1.3;
+  EXPECT_EQ(Verify(5, 11 + 5, 48.0, strict).verdict, Verdict::kInlierRatio);
+}
+
+TEST_F(Verification, WhereNewScansFitEachOtherNoLessIsAskedOfThem) {
+  DriveTwiceThroughTheRing(kDrift);
+  synthetic::Walls refurnished = synthetic::Ring();
+  for (int k = 0; k < 12; ++k) {
+    const double x = 1.0 + 1.4 * k, y = k % 2 == 0 ? 0.6 : 2.4;
+    synthetic::AddPolygon({{x, y}, {x + 0.9, y}, {x + 0.9, y + 0.3}, {x, y + 0.3}}, 0.0,
+                          &refurnished);
+  }
+  const std::vector<sensor::LaserScan> scans = synthetic::ScansAt(truth_, refurnished);
+  std::copy(scans.begin() + 11, scans.end(), scans_.begin() + 11);
+  Verifier::Options strict;
+  strict.min_inlier_ratio = 1.05 * Verify(5, 11 + 5, 48.0).inlier_ratio;
+  const ClosureRecord record = Verify(5, 11 + 5, 48.0, strict);
+  EXPECT_EQ(record.verdict, Verdict::kInlierRatio) << VerdictName(record.verdict);
 }
 
 TEST_F(Verification, ACorridorWithoutFeaturesIsAmbiguous) {
