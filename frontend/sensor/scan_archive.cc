@@ -9,39 +9,25 @@
 namespace gmapping_spa::sensor {
 namespace {
 
-float Packed(const Beam& beam) {
-  const auto range_m = static_cast<float>(beam.range_m);
-  switch (beam.status) {
-    case BeamStatus::kHit:
-      return range_m;
-    case BeamStatus::kNoReturn:
-      return -range_m;
-    case BeamStatus::kInvalid:
-      break;
-  }
-  return 0.0f;
-}
-
-Beam Unpacked(double angle_rad, float packed) {
-  if (packed > 0.0f) return {angle_rad, packed, BeamStatus::kHit};
-  if (packed < 0.0f) return {angle_rad, -packed, BeamStatus::kNoReturn};
-  return {angle_rad, 0.0, BeamStatus::kInvalid};
+bool HasAngles(const LaserScan& scan, const std::vector<double>& angles_rad) {
+  return std::equal(scan.beams.begin(), scan.beams.end(), angles_rad.begin(), angles_rad.end(),
+                    [](const Beam& beam, double angle_rad) { return beam.angle_rad == angle_rad; });
 }
 
 }  // namespace
 
 int ScanArchive::Add(const LaserScan& scan, const Eigen::Vector3d& velocity) {
-  Entry entry{scan.index, scan.stamp_s, scan.odom_T_robot, scan.robot_T_laser, nullptr,
-              {},         velocity,     scan.sweep_s,      scan.has_odometry};
-  entry.ranges_m.reserve(scan.beams.size());
-  for (const Beam& beam : scan.beams) entry.ranges_m.push_back(Packed(beam));
+  Entry entry{.index = scan.index,
+              .stamp_s = scan.stamp_s,
+              .odom_T_robot = scan.odom_T_robot,
+              .robot_T_laser = scan.robot_T_laser,
+              .angles_rad = nullptr,
+              .ranges = PackedRanges(scan.beams),
+              .velocity = velocity,
+              .sweep_s = scan.sweep_s,
+              .has_odometry = scan.has_odometry};
 
-  const auto same_angle = [](const Beam& beam, double angle_rad) {
-    return beam.angle_rad == angle_rad;
-  };
-  if (!scans_.empty() &&
-      std::equal(scan.beams.begin(), scan.beams.end(), scans_.back().angles_rad->begin(),
-                 scans_.back().angles_rad->end(), same_angle)) {
+  if (!scans_.empty() && HasAngles(scan, *scans_.back().angles_rad)) {
     entry.angles_rad = scans_.back().angles_rad;
   } else {
     std::vector<double> angles_rad;
@@ -68,9 +54,9 @@ LaserScan ScanArchive::Measured(int position) const {
   LaserScan scan{entry.index, entry.stamp_s, entry.odom_T_robot, entry.robot_T_laser, {}};
   scan.has_odometry = entry.has_odometry;
   scan.sweep_s = entry.sweep_s;
-  scan.beams.reserve(entry.ranges_m.size());
-  for (std::size_t k = 0; k < entry.ranges_m.size(); ++k) {
-    scan.beams.push_back(Unpacked((*entry.angles_rad)[k], entry.ranges_m[k]));
+  scan.beams.reserve(entry.ranges.size());
+  for (std::size_t k = 0; k < entry.ranges.size(); ++k) {
+    scan.beams.push_back(entry.ranges.BeamAt(k, (*entry.angles_rad)[k]));
   }
   return scan;
 }
@@ -93,19 +79,13 @@ std::vector<std::size_t> ScanArchive::Rows() const {
 
 bool ScanArchive::Holds(int position, const LaserScan& scan) const {
   const Entry& entry = scans_.at(position);
-  const std::vector<double>& angles_rad = *entry.angles_rad;
   if (entry.index != scan.index || entry.stamp_s != scan.stamp_s ||
       entry.odom_T_robot != scan.odom_T_robot || entry.robot_T_laser != scan.robot_T_laser ||
       entry.sweep_s != scan.sweep_s || entry.has_odometry != scan.has_odometry ||
-      entry.ranges_m.size() != scan.beams.size()) {
+      entry.ranges != PackedRanges(scan.beams)) {
     return false;
   }
-  for (std::size_t k = 0; k < scan.beams.size(); ++k) {
-    if (entry.ranges_m[k] != Packed(scan.beams[k]) || angles_rad[k] != scan.beams[k].angle_rad) {
-      return false;
-    }
-  }
-  return true;
+  return HasAngles(scan, *entry.angles_rad);
 }
 
 }  // namespace gmapping_spa::sensor

@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "frontend/sensor/laser_scan.h"
+#include "frontend/sensor/packed_ranges.h"
 
 namespace gmapping_spa::sensor {
 
-// Keeps scans at 4 bytes a beam: ranges are rounded to float (4 um at 40 m), and the angles of the
-// beams are kept once for all scans in succession that share them.
+// Keeps scans with PackedRanges, and the angles of the beams once for all scans in succession that
+// share them.
 class ScanArchive {
  public:
   // A scan as it was measured, and the velocity of the robot then: a twist in its frame (m/s, m/s,
@@ -56,14 +57,14 @@ class ScanArchive {
     backend::SE2 odom_T_robot;
     backend::SE2 robot_T_laser;
     std::shared_ptr<const std::vector<double>> angles_rad;
-    std::vector<float> ranges_m;  // negative: no return up to there; 0: invalid
+    PackedRanges ranges;
     Eigen::Vector3d velocity;
     double sweep_s;  // as the log tells it
     bool has_odometry;
 
     template <typename Archive>
     void serialize(Archive& archive) {
-      archive(index, stamp_s, odom_T_robot, robot_T_laser, angles_rad, ranges_m, velocity, sweep_s,
+      archive(index, stamp_s, odom_T_robot, robot_T_laser, angles_rad, ranges, velocity, sweep_s,
               has_odometry);
     }
   };
