@@ -22,13 +22,12 @@ constexpr double kMinUsualFit = 0.3;
 // Time between scans, s: stamps jitter, and are lost for long.
 constexpr double kMinDuration_s = 0.02;
 constexpr double kMaxDuration_s = 1.0;
-
-// Squared standard deviations by which a motion may differ from a guess that it agrees with.
-constexpr double kAgrees = 9.0;
+constexpr double kGap = 3.0;  // times the usual duration: nobody knows what happened meanwhile
 
 // Nats by which a beam of full weight that fits tells a pose from one where it does not.
 constexpr double kNatsPerBeam = 1.0;
-// A scan that fits nowhere (a covered laser, a crowd) does not constrain the motion, at this price.
+// A scan that fits nowhere (a covered laser, a crowd) does not constrain the motion, at this price
+// and that of its beams that pass through walls, which nothing covers.
 constexpr double kGarbage_nats = 30.0;
 // The same of a scan after such a one, of whose misfits at most this part see through walls.
 constexpr double kStillGarbage_nats = 5.0;
@@ -57,7 +56,6 @@ constexpr double kFewBeams = 4.0;
 constexpr double kSomeWay_m = 0.5;
 
 constexpr int kScansToKnowVelocity = 3;
-
 // Steps since the pose was sure of which the errors add up; more are as good as lost.
 constexpr int kMostSteps = 10;
 
@@ -100,6 +98,7 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
     stamp_s_ = scan.stamp_s;
     return {};
   }
+  const bool is_gap = scan.stamp_s - stamp_s_ > kGap * usual_duration_s_;
   const double duration_s = std::clamp(scan.stamp_s - stamp_s_, kMinDuration_s, kMaxDuration_s);
   stamp_s_ = scan.stamp_s;
   usual_duration_s_ += kForgetting * (duration_s - usual_duration_s_);
@@ -145,7 +144,7 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   }
   const Match& best = matches.front();
   unsure_scans_ = IsConvincing(best, prior) ? 0 : unsure_scans_ + 1;
-  if (IsLost(best)) {
+  if (IsLost(best) || IsJump(best, prior, is_gap)) {
     result = GoOnLost(best, scan, wheels, guess);
     result.velocity = VelocityOf(result.motion, duration_s);
     return result;
@@ -161,7 +160,7 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   const SE2& guessed = prior.hypotheses().front().motion;
   const SE2 told =
       guess && !guess->tells_way ? SE2{guessed.x, guessed.y, result.motion.theta} : result.motion;
-  result.wheels_rejected = prior.hypotheses().front().SquaredDistance(told) > kAgrees;
+  result.wheels_rejected = !prior.hypotheses().front().AgreesWith(told);
   if (guess && !result.wheels_rejected) {
     result.noise = 1.0 / std::sqrt(std::min(guess->gain_m, guess->gain_rad));
   }
@@ -243,8 +242,8 @@ bool LidarOdometry::IsConvincing(const Match& match, const MotionPrior& prior) c
   const double may_be_unknown = std::max(kMostUnknown, usual_unknown_ + kMoreUnknown);
   if (match.evidence.unknown > may_be_unknown * match.evidence.all()) return false;
   const SE2 motion = Between(odom_T_robot_, match.odom_T_robot);
-  return prior.hypotheses().front().SquaredDistance(motion) < kAgrees ||
-         prior.hypotheses().back().SquaredDistance(motion) < kAgrees;
+  return prior.hypotheses().front().AgreesWith(motion) ||
+         prior.hypotheses().back().AgreesWith(motion);
 }
 
 // A beam says so many nats for a pose as it fits better than usual; in unseen space, none.
@@ -266,7 +265,8 @@ void LidarOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) 
     // What covers a laser stays for a while, and lets no beam see through walls.
     const bool is_covered =
         new_piece_ && match.seen_through <= kCovered * match.evidence.contradicted;
-    const double garbage_nats = is_covered ? kStillGarbage_nats : kGarbage_nats;
+    const double garbage_nats = (is_covered ? kStillGarbage_nats : kGarbage_nats) +
+                                kNatsPerBeam * usual_fit_ * match.seen_through;
     match.log_posterior = std::max(Nats(match, least_unknown), -garbage_nats) +
                           prior.LogDensity(Between(odom_T_robot_, match.odom_T_robot));
   }

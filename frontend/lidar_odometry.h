@@ -121,6 +121,7 @@ class LidarOdometry {
   };
 
   bool IsLost(const Match& match) const;
+  bool IsJump(const Match& match, const MotionPrior& prior, bool is_gap) const;
   bool IsDoubtful(const Match& match) const;
   ScanMotion GoOnLost(const Match& best, const sensor::LaserScan& scan,
                       const sensor::OdometryCheck::Step& wheels,

@@ -9,11 +9,15 @@
 
 namespace gmapping_spa::frontend {
 
+using backend::SE2;
+
 namespace {
 
 // Parts of the usual fit.
 constexpr double kLostBelow = 0.5;
 constexpr double kBackAbove = 0.75;
+constexpr double kJumpAbove = 0.65;
+constexpr double kBackByJumpAbove = 0.9;
 
 // Of full weight: fewer that do not fit are no proof that the robot is elsewhere, or are no
 // evidence.
@@ -34,6 +38,17 @@ bool LidarOdometry::IsLost(const Match& match) const {
   const scan_matching::Evidence& e = match.evidence;
   if (new_piece_) return e.known() < kBeamsToBeLost || e.Fit() < kBackAbove * usual_fit_;
   return usual_fit_ * e.known() - e.explained > kBeamsToBeLost && e.Fit() < kLostBelow * usual_fit_;
+}
+
+// Fits not well where nothing has led the robot: it may be elsewhere, in a place alike. After a
+// gap, or when it was lost, nobody knows that it goes on as before.
+bool LidarOdometry::IsJump(const Match& match, const MotionPrior& prior, bool is_gap) const {
+  const SE2 motion = Between(odom_T_robot_, match.odom_T_robot);
+  const scan_matching::Evidence& e = match.evidence;
+  const double well = new_piece_ ? kBackByJumpAbove : kJumpAbove;
+  return e.known() > kBeamsToBeLost && e.Fit() < well * usual_fit_ &&
+         !prior.hypotheses().front().AgreesWith(motion) &&
+         (is_gap || new_piece_ || !prior.hypotheses().back().AgreesWith(motion));
 }
 
 // Fits badly by too few beams for the robot to be lost. Whether the scan is where it seems to be,

@@ -28,6 +28,11 @@ double MotionHypothesis::SquaredDistance(const SE2& other) const {
          off.theta * off.theta / (sigma_rad * sigma_rad);
 }
 
+bool MotionHypothesis::AgreesWith(const SE2& other) const {
+  constexpr double kNineSigmas = 9.0;  // squared
+  return SquaredDistance(other) < kNineSigmas;
+}
+
 double MotionHypothesis::LogDensity(const SE2& other) const {
   return std::log(weight) - 0.5 * SquaredDistance(other) - 1.5 * std::log(2.0 * std::numbers::pi) -
          std::log(sigma_m * sigma_m * sigma_rad);
@@ -71,8 +76,7 @@ MotionPrior::MotionPrior(const Options& options, const std::optional<WheelMotion
 }
 
 bool MotionPrior::GuessesAgree() const {
-  constexpr double kNineSigmas = 9.0;  // squared
-  return hypotheses_.back().SquaredDistance(hypotheses_.front().motion) < kNineSigmas;
+  return hypotheses_.back().AgreesWith(hypotheses_.front().motion);
 }
 
 double MotionPrior::LogDensity(const SE2& motion) const {

@@ -27,6 +27,8 @@ struct MotionHypothesis {
   Eigen::Matrix3d Information() const;
   // Squared Mahalanobis distance.
   double SquaredDistance(const backend::SE2& other) const;
+  // Whether the other motion is within three standard deviations.
+  bool AgreesWith(const backend::SE2& other) const;
   double LogDensity(const backend::SE2& other) const;  // of the normal distribution, times weight
 };
 

@@ -53,7 +53,7 @@ struct ProofOptions {
   double consistent_sigmas = 2.0;    // of the drift on the way, for two members to go together
   // For two sets to agree: of the drift on the way between them, which must not be so long that
   // drift explains everything.
-  double agree_sigmas = 1.0;
+  double agree_sigmas = 2.0;
   double agree_within_m = 200.0;
   // Another hypothesis of the same stretch that is more than this off, and has at least this part
   // of the proof, leaves the decision open.

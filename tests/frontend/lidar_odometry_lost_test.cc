@@ -71,6 +71,26 @@ TEST(LidarOdometryLost, ARobotThatSlipsWhileItIsCoveredIsFoundAgain) {
   drive.ExpectIsWhereItIs(0.05, 0.03);
 }
 
+// Of a scan half a meter from where the wheels lead: whether it is taken to be there, when so many
+// of ten beams see farther than there.
+bool IsFoundAside(int of_ten, const SE2& told) {
+  Drive drive(synthetic::Room());
+  for (int step = 0; step <= 80; ++step) drive.To(OnRound(step));
+  const SE2 aside = OnRound(81) * SE2{0.4, 0.3, 0.5};
+  sensor::LaserScan scan = drive.ScanAt(aside);
+  for (std::size_t k = 0; k < scan.beams.size(); ++k) {
+    if (static_cast<int>(k / 9 * 7 % 10) < of_ten) scan.beams[k].range_m += 1.5;
+  }
+  return drive.Take(scan, aside, {told}).matched;
+}
+
+TEST(LidarOdometryLost, WhatFitsInPartIsAnotherPlaceUnlessSomethingLeadsThere) {
+  const SE2 there = StepOfRound(81) * SE2{0.4, 0.3, 0.5};
+  EXPECT_TRUE(IsFoundAside(2, StepOfRound(81)));
+  EXPECT_FALSE(IsFoundAside(4, StepOfRound(81)));
+  EXPECT_TRUE(IsFoundAside(4, there));
+}
+
 // Nine beams are too few for the robot to be lost by them.
 TEST(LidarOdometryLost, FewBeamsThatFitBadlyWaitForTheNextOnes) {
   Drive drive(synthetic::Room(), {.beams = 9});
