@@ -59,12 +59,6 @@ constexpr int kScansToKnowVelocity = 3;
 // Steps since the pose was sure of which the errors add up; more are as good as lost.
 constexpr int kMostSteps = 10;
 
-// Half widths of the windows that are searched, one after the other until a match convinces.
-struct Window {
-  double linear_m, angular_rad;
-};
-constexpr Window kWindows[] = {{0.3, 0.4}, {0.75, 1.2}, {1.5, 3.14159}};
-
 // More than what scan matching is off by.
 bool Moves(const SE2& motion) {
   return motion.translation().norm() > 0.02 || std::abs(motion.theta) > 0.01;
@@ -121,26 +115,15 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
       Track(before * prior.hypotheses().front().motion, prior.hypotheses().front())};
   // At first the velocity is not known, and a map of one scan says that nothing has moved.
   const bool guesses_agree = scans_ < kScansToKnowVelocity || prior.GuessesAgree();
-  if (!guesses_agree || !IsConvincing(matches.front(), prior)) {
-    CountBehindWalls(&matches.front());
-    const auto consider = [&](Match match) {
-      CountBehindWalls(&match);
-      matches.push_back(match);
-    };
+  const bool may_be_next_peak =
+      scans_ >= kScansToKnowVelocity && MayLeadToNextPeak(prior, guess.has_value());
+  if (may_be_next_peak || !guesses_agree || !IsConvincing(matches.front(), prior)) {
     for (std::size_t k = 1; k < prior.hypotheses().size(); ++k) {
-      consider(Track(before * prior.hypotheses()[k].motion, prior.hypotheses()[k]));
+      matches.push_back(Track(before * prior.hypotheses()[k].motion, prior.hypotheses()[k]));
     }
+    for (Match& match : matches) CountBehindWalls(&match);
     Rank(prior, &matches);
-    for (const Window& window : kWindows) {
-      if (IsConvincing(matches.front(), prior)) break;
-      result.searched = true;
-      const scan_matching::SearchWindow within{std::min(window.linear_m, prior.reach_m()),
-                                               std::min(window.angular_rad, prior.reach_rad())};
-      for (const SE2& center : SearchCenters(prior, within)) {
-        for (const Match& match : Search(before * center, within)) consider(match);
-      }
-      Rank(prior, &matches);
-    }
+    result.searched = SearchUntilOneConvinces(prior, may_be_next_peak, &matches);
   }
   const Match& best = matches.front();
   unsure_scans_ = IsConvincing(best, prior) ? 0 : unsure_scans_ + 1;

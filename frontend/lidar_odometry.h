@@ -136,6 +136,9 @@ class LidarOdometry {
   static std::vector<backend::SE2> SearchCenters(const MotionPrior& prior,
                                                  const scan_matching::SearchWindow& window);
   bool FitsAlong(const Match& match, const backend::SE2& motion) const;
+  static bool MayLeadToNextPeak(const MotionPrior& prior, bool by_wheels);
+  bool SearchUntilOneConvinces(const MotionPrior& prior, bool search_anyway,
+                               std::vector<Match>* matches);
   std::vector<Match> Search(const backend::SE2& center, const scan_matching::SearchWindow& window);
   bool IsConvincing(const Match& match, const MotionPrior& prior) const;
   double Nats(const Match& match, double least_unknown) const;

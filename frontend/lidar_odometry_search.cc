@@ -17,6 +17,15 @@ namespace {
 // About so many, evenly spread, tell where a scan fits; what is found is aligned by all beams.
 constexpr std::size_t kSearchBeams = 100;
 
+// Half widths of the windows that are searched, one after the other until a match convinces.
+struct Window {
+  double linear_m, angular_rad;
+};
+constexpr Window kWindows[] = {{0.3, 0.4}, {0.75, 1.2}, {1.5, 3.14159}};
+
+// Peaks of the fit are about so far apart: alignment from farther off may end in the next one.
+constexpr double kPeak_rad = 0.06;
+
 // A way is told where the scan fits this much worse so much farther on, and farther back.
 constexpr double kTold_nats = 3.0;
 constexpr double kAlong_m = 0.2;
@@ -67,6 +76,35 @@ bool LidarOdometry::FitsAlong(const Match& match, const SE2& motion) const {
     moved.evidence = model.Evaluate(before * SE2{to.x(), to.y(), motion.theta});
     return Nats(match, 0.0) - Nats(moved, 0.0) < kTold_nats;
   });
+}
+
+// Whether a turn is known so badly, by its standard deviation, that the fit near by may be that of
+// the next peak. Wheels that are late, or scans that are seldom, leave it open as the robot turns;
+// without wheels, always.
+bool LidarOdometry::MayLeadToNextPeak(const MotionPrior& prior, bool by_wheels) {
+  const MotionHypothesis& guess = prior.hypotheses().front();
+  return guess.sigma_rad > kPeak_rad && (!by_wheels || std::abs(guess.motion.theta) > kPeak_rad);
+}
+
+// Adds what larger and larger windows have, best first, until one convinces; returns whether there
+// was a need. `search_anyway`: the first window in any case.
+bool LidarOdometry::SearchUntilOneConvinces(const MotionPrior& prior, bool search_anyway,
+                                            std::vector<Match>* matches) {
+  bool searched = false;
+  for (const Window& window : kWindows) {
+    if (IsConvincing(matches->front(), prior) && (searched || !search_anyway)) break;
+    searched = true;
+    const scan_matching::SearchWindow within{std::min(window.linear_m, prior.reach_m()),
+                                             std::min(window.angular_rad, prior.reach_rad())};
+    for (const SE2& center : SearchCenters(prior, within)) {
+      for (Match& match : Search(odom_T_robot_ * center, within)) {
+        CountBehindWalls(&match);
+        matches->push_back(match);
+      }
+    }
+    Rank(prior, matches);
+  }
+  return searched;
 }
 
 // The best and the second best match of a window.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <vector>
 
 #include "tests/frontend/lidar_odometry_drive.h"
 
@@ -37,6 +38,37 @@ TEST(LidarOdometrySearch, AStepThatTheWheelsMissIsFound) {
   EXPECT_TRUE(motion.searched);
   EXPECT_TRUE(motion.wheels_rejected);
   drive.ExpectIsWhereItIs(0.03, 0.02);
+}
+
+// Posts all around, 6 degrees apart, some of which are missing, before a round wall.
+synthetic::Walls Posts() {
+  synthetic::Walls walls;
+  std::vector<Eigen::Vector2d> round;
+  for (int k = 0; k < 90; ++k) round.push_back(SE2{0, 0, k * 4.0 * kDeg} * Eigen::Vector2d(6, 0));
+  synthetic::AddPolygon(round, 0.0, &walls);
+  for (int k = 0; k < 60; ++k) {
+    if (k % 5 == 0 || k % 13 == 7 || k % 11 == 3) continue;
+    const SE2 post = SE2{0, 0, k * 6.0 * kDeg} * SE2{4, 0, 0};
+    synthetic::AddPolygon(
+        {post * Eigen::Vector2d(-0.05, -0.05), post * Eigen::Vector2d(0.05, -0.05),
+         post * Eigen::Vector2d(0.05, 0.05), post * Eigen::Vector2d(-0.05, 0.05)},
+        0.0, &walls);
+  }
+  return walls;
+}
+
+TEST(LidarOdometrySearch, AfterATurnThatIsKnownBadlyTheNextPeakIsNotTakenForTheBest) {
+  for (const double off_rad : {-0.1, 0.1}) {
+    SCOPED_TRACE(off_rad);
+    Drive drive(Posts(), {.beams = 721, .field_of_view_rad = 2.0 * std::numbers::pi});
+    for (int step = 0; step <= 20; ++step) drive.To({0.02 * step, 0, 0.01 * step});
+    for (int turn = 1; turn <= 5; ++turn) {
+      const SE2 motion{0.02, 0, 0.7};
+      const SE2 told{0.02, 0, 0.7 + off_rad};
+      EXPECT_TRUE(drive.To(drive.world_T_robot() * motion, {told}).searched) << turn;
+      drive.ExpectIsWhereItIs(0.03, 0.03);
+    }
+  }
 }
 
 TEST(LidarOdometrySearch, NothingIsSearchedWhereTheGuessesDo) {
