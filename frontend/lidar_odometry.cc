@@ -115,8 +115,10 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
       Track(before * prior.hypotheses().front().motion, prior.hypotheses().front())};
   // At first the velocity is not known, and a map of one scan says that nothing has moved.
   const bool guesses_agree = scans_ < kScansToKnowVelocity || prior.GuessesAgree();
-  const bool may_be_next_peak =
-      scans_ >= kScansToKnowVelocity && MayLeadToNextPeak(prior, guess.has_value());
+  // Few beams fit in too many places by chance.
+  const double density = ScanDensity(scan);
+  const bool may_be_next_peak = scans_ >= kScansToKnowVelocity && density == 1.0 &&
+                                MayLeadToNextPeak(prior, guess.has_value());
   if (may_be_next_peak || !guesses_agree || !IsConvincing(matches.front(), prior)) {
     for (std::size_t k = 1; k < prior.hypotheses().size(); ++k) {
       matches.push_back(Track(before * prior.hypotheses()[k].motion, prior.hypotheses()[k]));
@@ -172,7 +174,6 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   // What may be wrong is not entered, and the map of before decides with the next scans. Where no
   // place is likelier, it is forgotten: it must not hold both sides of a step that may be wrong.
   // One scan of few beams is no map.
-  const double density = ScanDensity(scan);
   const bool is_ambiguous = !result.alternatives.empty();
   if (is_ambiguous && result.alternatives.front().probability < kDecided && density == 1.0) {
     map_.Clear();
