@@ -22,7 +22,8 @@ constexpr double kMinUsualFit = 0.3;
 // Time between scans, s: stamps jitter, and are lost for long.
 constexpr double kMinDuration_s = 0.02;
 constexpr double kMaxDuration_s = 1.0;
-constexpr double kGap = 3.0;  // times the usual duration: nobody knows what happened meanwhile
+// Usual times between scans, after which nobody knows what happened meanwhile.
+constexpr double kGap = 3.0;
 
 // Nats by which a beam of full weight that fits tells a pose from one where it does not.
 constexpr double kNatsPerBeam = 1.0;
@@ -56,6 +57,7 @@ constexpr double kFewBeams = 4.0;
 constexpr double kSomeWay_m = 0.5;
 
 constexpr int kScansToKnowVelocity = 3;
+
 // Steps since the pose was sure of which the errors add up; more are as good as lost.
 constexpr int kMostSteps = 10;
 
@@ -115,10 +117,10 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
       Track(before * prior.hypotheses().front().motion, prior.hypotheses().front())};
   // At first the velocity is not known, and a map of one scan says that nothing has moved.
   const bool guesses_agree = scans_ < kScansToKnowVelocity || prior.GuessesAgree();
-  // Few beams fit in too many places by chance.
   const double density = ScanDensity(scan);
-  const bool may_be_next_peak = scans_ >= kScansToKnowVelocity && density == 1.0 &&
-                                MayLeadToNextPeak(prior, guess.has_value());
+  const bool is_dense = density == 1.0;  // few beams fit in too many places by chance
+  const bool may_be_next_peak =
+      scans_ >= kScansToKnowVelocity && is_dense && MayLeadToNextPeak(prior, guess.has_value());
   if (may_be_next_peak || !guesses_agree || !IsConvincing(matches.front(), prior)) {
     for (std::size_t k = 1; k < prior.hypotheses().size(); ++k) {
       matches.push_back(Track(before * prior.hypotheses()[k].motion, prior.hypotheses()[k]));
@@ -175,7 +177,7 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   // place is likelier, it is forgotten: it must not hold both sides of a step that may be wrong.
   // One scan of few beams is no map.
   const bool is_ambiguous = !result.alternatives.empty();
-  if (is_ambiguous && result.alternatives.front().probability < kDecided && density == 1.0) {
+  if (is_ambiguous && result.alternatives.front().probability < kDecided && is_dense) {
     map_.Clear();
     usual_unknown_ = 1.0;
   }

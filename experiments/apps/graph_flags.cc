@@ -57,8 +57,8 @@ DEFINE_double(
     closure_min_inlier_ratio, kSlam.closure_min_inlier_ratio,
     "Loop closures: inlier ratio, 0 to 1: least part of the new scan's end points in the known "
     "part of the old local map that must lie at its obstacles for a candidate to be accepted. Less "
-    "in proportion, down to 0.7 times that, where scans next to each other explain less than 0.86 "
-    "of each other, as among people or with few beams.");
+    "is needed, in proportion and down to 0.7 times this value, where scans taken next to each "
+    "other explain less than 0.86 of each other, as among people or with few beams.");
 DEFINE_double(closure_information_gain, kSlam.closure_information_gain,
               "Loop closures: factor, above 0, on the information matrix of the scan match; below "
               "1, since neighboring beams share their errors.");

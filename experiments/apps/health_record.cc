@@ -23,7 +23,7 @@ struct CountMeaning {
 // Counts of what is as it should be (records read, ODOM interpolated, ...) are not among them.
 constexpr CountMeaning kMeanings[] = {
     {"malformed_records",
-     "records could not be read and were left out (--bad_record=fail shows the first)"},
+     "records could not be read and were left out (--bad_record=fail ends at the first)"},
     {"unknown_records", "records of an unknown type were left out"},
     {"late_scans", "scans are older than --reorder_window_s allows: was the clock set back?"},
     {"out_of_order_scans", "scans were not in order of time and were put in order"},

@@ -70,11 +70,13 @@ def survival(measured) -> Table:
             limit = None if plain_m is None else limit_m(kind, plain_m)
             entries.append(entry(by_dataset.get(dataset, []), limit))
         table.append([kind, *(value for _, value in setting), *entries])
+    count = len(measured.study.seeds)
     settings = [name for name, _ in next(iter(rows))[1]]
     return Table(
         f"{measured.study.name}_survival",
         f"{measured.study.title}: mean error of the relations in m, median over "
-        f"{len(measured.study.seeds)} {'seed' if len(measured.study.seeds) == 1 else 'seeds'} (the worst of those that ended), **how many failed**. "
+        f"{count} {'seed' if count == 1 else 'seeds'} (the worst of those that ended), "
+        "**how many failed**. "
         "Failed is a run that ended with an error, or one whose error is above "
         f"{MULTIPLE:g} x the unstressed median, or {1000 * AT_LEAST_M:g} mm more if that is more; "
         f"above {MULTIPLE_OF_POOR_SIGHT:g} x for {', '.join(sorted(POOR_SIGHT))}.",

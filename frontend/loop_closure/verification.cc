@@ -21,8 +21,8 @@ constexpr double kElsewhere_m = 0.5;
 constexpr double kFitsAsWell = 0.9;
 constexpr double kLeastKnownPart = 0.1;
 
-// Scans in which less than the one explains each other ask for less in proportion, down to the
-// other: among people, or with few beams, no more fits.
+// UsualInlierRatio from which on a node is asked for all of the ratio that is needed; where it is
+// less, for less in proportion, down to the other. Among people, or with few beams, no more fits.
 constexpr double kWellMapped = 0.86;
 constexpr double kLeastUsual = 0.6;
 

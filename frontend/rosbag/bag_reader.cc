@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/rosbag/bag_reader.h"
 
+#include <glog/logging.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -107,7 +109,11 @@ std::optional<sensor::LogRecord> BagReader::Next() {
   while (held_.empty() && Read()) {
   }
   if (held_.empty()) {
-    if (num_scans_ > 0) return std::nullopt;
+    if (num_scans_ > 0) {
+      if (!first_malformed_.empty()) LOG(WARNING) << "left out: " << first_malformed_;
+      first_malformed_.clear();
+      return std::nullopt;
+    }
     throw std::runtime_error(name_ + ": no laser scans found (" + std::to_string(num_malformed_) +
                              " malformed messages" +
                              (num_malformed_ > 0 ? ", the first: " + first_malformed_ : "") + ")");

@@ -82,7 +82,7 @@ class BagReader : public sensor::RecordReader {
   std::int64_t num_other_bases_ = 0;
   std::int64_t num_changed_poses_ = 0;
   std::int64_t num_tilted_ = 0;
-  std::string first_malformed_;  // its message
+  std::string first_malformed_;  // its message, until it was said
 };
 
 }  // namespace gmapping_spa::rosbag

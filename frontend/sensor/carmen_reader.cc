@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "frontend/sensor/carmen_reader.h"
 
+#include <glog/logging.h>
+
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -56,6 +58,8 @@ std::optional<LogRecord> CarmenReader::Next() {
         (num_malformed_ > 0 ? ", the first: " + first_malformed_ : "") + ")" +
         (num_lines_ == 1 ? "; is it text with a line feed after each record?" : ""));
   }
+  if (!first_malformed_.empty()) LOG(WARNING) << "left out: " << first_malformed_;
+  first_malformed_.clear();
   return std::nullopt;
 }
 

@@ -61,7 +61,7 @@ class CarmenReader : public RecordReader {
   std::int64_t num_unknown_ = 0;
   std::int64_t num_malformed_ = 0;
   std::int64_t num_assumed_angles_ = 0;
-  std::string first_malformed_;  // its message
+  std::string first_malformed_;  // its message, until it was said
 };
 
 }  // namespace gmapping_spa::sensor

@@ -83,6 +83,7 @@ TEST_F(ClosureSets, ThatAgreeProveEachOther) {
   EXPECT_EQ(proven({first, later}), 6u);
   EXPECT_EQ(proven({first, first}), 0u) << "the same driving";
   EXPECT_EQ(proven({first, Closures(5, 5.0, 3.0, 40)}), 0u) << "not the same way off";
+  EXPECT_EQ(proven({first, Closures(5, 5.0, 1.4, 40)}), 6u) << "within two standard deviations";
   EXPECT_EQ(proven({first, Closures(3, 5.0, 0.0, 40)}), 0u) << "no set of its own";
   options_.agree_within_m = 50.0;
   EXPECT_EQ(proven({first, later}), 0u) << "too far away";

@@ -193,6 +193,14 @@ TEST(CarmenReader, ARangeThatIsNoFiniteNumberSpoilsItsBeamOnly) {
 
 class MalformedLine : public testing::TestWithParam<std::pair<std::string, std::string>> {};
 
+TEST_P(MalformedLine, IsNamedOnceUnderSkip) {
+  testing::internal::CaptureStderr();
+  Read(kFlaser + GetParam().first + "\n" + GetParam().first + "\n");
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("left out: log.clf:2: "));
+  EXPECT_THAT(said, Not(HasSubstr("log.clf:3")));
+}
+
 TEST_P(MalformedLine, IsCountedAndLeftOutUnderSkip) {
   const Log log = Read(kFlaser + GetParam().first + "\n" + kFlaser);
   EXPECT_EQ(log.scans.size(), 2u);
