@@ -3,14 +3,13 @@
 
 #include <glog/logging.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <variant>
 
 #include "backend/text.h"
-#include "frontend/rosbag/byte_cursor.h"
+#include "frontend/rosbag/packed_message.h"
 #include "frontend/rosbag/scan_beams.h"
 #include "frontend/rosbag/unpack.h"
 #include "frontend/sensor/record_fields.h"
@@ -31,20 +30,6 @@ constexpr double kTilted_rad = 0.1;
 // A double has no room for nanoseconds since 1970; what is nearest to them is taken.
 double Seconds(std::int64_t time_ns) {
   return static_cast<double>(static_cast<long double>(time_ns) / 1e9L);
-}
-
-// At most to `most` bytes.
-std::string UnpackMessage(const BagMessage& message, std::uint64_t most) {
-  const std::optional<std::uint64_t> size = ZstdSize(message.data);
-  if (!size || *size > most) {
-    throw MalformedRecord("expected a message packed by zstd that tells its size, up to " +
-                          std::to_string(std::min(kMaxChunkBytes, most)) + " bytes");
-  }
-  try {
-    return Unpack(Packing::kZstd, message.data, *size, *message.file, message.place);
-  } catch (const BagError&) {
-    throw MalformedRecord("expected a message packed by zstd, found a damaged one");
-  }
 }
 
 bool IsSame(const SE2& a, const SE2& b) {
