@@ -111,6 +111,10 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   const std::optional<WheelMotion> guess =
       wheel_trust_.Guess(wheels, SameVelocity(duration_s), std::max(duration_s, usual_duration_s_));
   const MotionPrior prior = MakePrior(guess, duration_s);
+  if (is_gap) {
+    drove_unseen_ =
+        guess && guess->tells_way && guess->motion.translation().norm() > options_.insert_m;
+  }
   points_ = scan_matching::MakeScanPoints(
       Deskewed(scan, VelocityOf(prior.hypotheses().front().motion, duration_s)));
   std::vector<Match> matches = {
@@ -126,12 +130,16 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
       matches.push_back(Track(before * prior.hypotheses()[k].motion, prior.hypotheses()[k]));
     }
     for (Match& match : matches) CountBehindWalls(&match);
+    // After a gap the robot sees much that is new at the right place as well: no evidence against
+    // it.
+    unseen_ahead_ = drove_unseen_ ? matches.front().evidence.unknown : 0.0;
     Rank(prior, &matches);
     result.searched = SearchUntilOneConvinces(prior, may_be_next_peak, &matches);
   }
   const Match& best = matches.front();
   unsure_scans_ = IsConvincing(best, prior) ? 0 : unsure_scans_ + 1;
   if (IsLost(best) || IsJump(best, prior, is_gap)) {
+    drove_unseen_ = false;
     result = GoOnLost(best, scan, wheels, guess);
     result.velocity = VelocityOf(result.motion, duration_s);
     return result;
@@ -189,6 +197,7 @@ ScanMotion LidarOdometry::MatchScan(const sensor::LaserScan& scan,
   result.unchecked = wheels_tell && fits_along_;
   if (map_.empty() || (moved_on && result.matched && !is_ambiguous)) {
     odom_T_inserted_ = odom_T_robot_;
+    drove_unseen_ = false;
     map_.Insert(Deskewed(scan, result.velocity), odom_T_robot_);
   }
   return result;
@@ -219,8 +228,8 @@ LidarOdometry::Match LidarOdometry::Track(const SE2& initial,
   return match;
 }
 
-// Whether the match fits about as well as usual in what has been seen before, and agrees with all
-// guesses about the motion.
+// Whether the match fits about as well as usual in what has been seen before, and agrees with a
+// guess about the motion; after a gap with the first: the velocity of before says next to nothing.
 bool LidarOdometry::IsConvincing(const Match& match, const MotionPrior& prior) const {
   const double missing =
       match.evidence.known() * options_.doubt_below * usual_fit_ - match.evidence.explained;
@@ -229,7 +238,7 @@ bool LidarOdometry::IsConvincing(const Match& match, const MotionPrior& prior) c
   if (match.evidence.unknown > may_be_unknown * match.evidence.all()) return false;
   const SE2 motion = Between(odom_T_robot_, match.odom_T_robot);
   return prior.hypotheses().front().AgreesWith(motion) ||
-         prior.hypotheses().back().AgreesWith(motion);
+         (!drove_unseen_ && prior.hypotheses().back().AgreesWith(motion));
 }
 
 // A beam says so many nats for a pose as it fits better than usual; in unseen space, none.
@@ -247,6 +256,7 @@ void LidarOdometry::Rank(const MotionPrior& prior, std::vector<Match>* matches) 
   for (const Match& match : *matches) {
     least_unknown = std::min(least_unknown, match.evidence.unknown);
   }
+  least_unknown = std::max(least_unknown, unseen_ahead_);
   for (Match& match : *matches) {
     // What covers a laser stays for a while, and lets no beam see through walls.
     const bool is_covered =

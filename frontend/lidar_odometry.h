@@ -100,9 +100,9 @@ class LidarOdometry {
   template <typename Archive>
   void serialize(Archive& archive) {
     archive(map_, odom_T_robot_, odom_T_inserted_, stamp_s_, usual_motion_, usual_duration_s_,
-            usual_fit_, usual_unknown_, wheel_trust_, sweep_, fits_along_, scans_, doubtful_scans_,
-            unsure_scans_, new_piece_begin_s_, new_piece_scans_, wheels_told_all_, seen_through_,
-            contradicted_);
+            usual_fit_, usual_unknown_, drove_unseen_, wheel_trust_, sweep_, fits_along_, scans_,
+            doubtful_scans_, unsure_scans_, new_piece_begin_s_, new_piece_scans_, wheels_told_all_,
+            seen_through_, contradicted_);
     bool is_lost = new_piece_ != nullptr;
     archive(is_lost);
     if (!is_lost) return;
@@ -150,6 +150,9 @@ class LidarOdometry {
   scan_matching::GaussNewton gauss_newton_;
   SlidingMap map_;
   scan_matching::ScanPoints points_;  // of the scan at hand
+  double unseen_ahead_ = 0.0;         // number of its beams that are expected to see what is new
+  // Whether the wheels told a way while there were no scans, and none was entered since.
+  bool drove_unseen_ = false;
   backend::SE2 odom_T_robot_;
   backend::SE2 odom_T_inserted_;  // when a scan was last entered
   double stamp_s_ = 0.0;

@@ -16,6 +16,7 @@ namespace {
 
 // About so many, evenly spread, tell where a scan fits; what is found is aligned by all beams.
 constexpr std::size_t kSearchBeams = 100;
+constexpr int kPeaksAfterUnseenWay = 10;
 
 // Half widths of the windows that are searched, one after the other until a match convinces.
 struct Window {
@@ -107,7 +108,8 @@ bool LidarOdometry::SearchUntilOneConvinces(const MotionPrior& prior, bool searc
   return searched;
 }
 
-// The best and the second best match of a window.
+// The best matches of a window: two, or more after a way without scans, when much of what the
+// robot sees at the right one is new, and places that it has seen before score higher.
 std::vector<LidarOdometry::Match> LidarOdometry::Search(const SE2& center,
                                                         const scan_matching::SearchWindow& window) {
   std::vector<Eigen::Vector2d> positions;
@@ -120,17 +122,15 @@ std::vector<LidarOdometry::Match> LidarOdometry::Search(const SE2& center,
   }
   scan_matching::CorrelativeMatcher::Options search;
   search.min_score = 0.2;
-  search.runner_up_floor = 0.8;
+  search.runner_up_floor = drove_unseen_ ? 0.4 : 0.8;
   search.peak_separation_m = 0.2;
   search.with_covariance = false;
-  const scan_matching::CorrelativeMatch found =
-      map_.Search(search, odom_T_robot_, reach_m + 1.5).Match(positions, center, window);
   std::vector<Match> matches;
-  if (!found.found) return matches;
   const MotionHypothesis weak{.motion = {}, .sigma_m = 0.1, .sigma_rad = 0.1};
-  matches.push_back(Track(found.map_T_scan, weak));
-  if (found.runner_up_map_T_scan != found.map_T_scan) {
-    matches.push_back(Track(found.runner_up_map_T_scan, weak));
+  for (const scan_matching::ScoredPose& peak :
+       map_.Search(search, odom_T_robot_, reach_m + 1.5)
+           .Peaks(positions, center, window, drove_unseen_ ? kPeaksAfterUnseenWay : 2)) {
+    matches.push_back(Track(peak.map_T_scan, weak));
   }
   return matches;
 }

@@ -90,7 +90,7 @@ const scan_matching::CorrelativeMatcher& SlidingMap::Search(
     searched_ = {odom_T_robot, reach_m};
     search_.reset();
   }
-  if (!search_) {
+  if (!search_ || search_->options() != options) {
     search_ = std::make_unique<scan_matching::CorrelativeMatcher>(
         options, Surfaces(grid(), searched_->center, (1.0 + kRenewAt) * searched_->reach_m));
   }

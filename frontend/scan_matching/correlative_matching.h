@@ -66,6 +66,8 @@ class CorrelativeMatcher {
   // `reference` in the frame of the map, in metres. See MakeLikelihoodField for preconditions.
   CorrelativeMatcher(const Options& options, const std::vector<Eigen::Vector2d>& reference);
 
+  const Options& options() const { return options_; }
+
   // `points` in the frame of the scan, in metres. What is outside the field scores 0. Time grows
   // with their number: merge points closer to each other than a cell. Threads may share a matcher.
   CorrelativeMatch Match(const std::vector<Eigen::Vector2d>& points,

@@ -72,6 +72,9 @@ class Drive {
     return motion;
   }
 
+  // No scans for so long.
+  void Wait(double duration_s) { stamp_s_ += duration_s; }
+
   void ExpectIsWhereItIs(double m, double rad) const {
     ExpectNear(world_T_estimate_, world_T_robot_, m, rad);
   }

@@ -71,6 +71,42 @@ TEST(LidarOdometrySearch, AfterATurnThatIsKnownBadlyTheNextPeakIsNotTakenForTheB
   }
 }
 
+// Two walls 3 m apart with the same pillar every 0.8 m.
+synthetic::Walls Gallery(double direction_rad) {
+  synthetic::Walls walls;
+  for (const double side : {-1.0, 1.0}) {
+    std::vector<Eigen::Vector2d> comb;
+    for (int k = -60; k < 60; ++k) {
+      const double x = 0.8 * k;
+      comb.insert(
+          comb.end(),
+          {{x, side * 1.5}, {x + 0.6, side * 1.5}, {x + 0.6, side * 1.3}, {x + 0.8, side * 1.3}});
+    }
+    comb.insert(comb.end(), {{48, side * 3}, {-48, side * 3}});
+    synthetic::AddPolygon(comb, direction_rad, &walls);
+  }
+  return walls;
+}
+
+// At the right place most of the scan is new; where it stood before, the robot has seen all of it.
+TEST(LidarOdometrySearch, AfterAGapTheRobotIsNotPutBackToWhereItSawTheSame) {
+  for (const double direction_rad : {0.0, 0.35, -2.0}) {
+    SCOPED_TRACE(direction_rad);
+    Drive drive(Gallery(direction_rad),
+                {.beams = 241, .field_of_view_rad = 240 * kDeg, .usable_range_m = 5.6});
+    const SE2 world_T_gallery{0, 0, direction_rad};
+    const auto drive_on = [&](int steps) {
+      for (int step = 0; step < steps; ++step) drive.To(drive.world_T_robot() * SE2{0.15, 0, 0});
+    };
+    drive.To(world_T_gallery * SE2{-10, 0, 0});
+    drive_on(60);
+    drive.Wait(2.0);
+    EXPECT_TRUE(drive.To(drive.world_T_robot() * SE2{3.15, 0, 0}, {SE2{3.2, 0.1, 0.02}}).searched);
+    drive_on(10);
+    drive.ExpectIsWhereItIs(0.1, 0.02);
+  }
+}
+
 TEST(LidarOdometrySearch, NothingIsSearchedWhereTheGuessesDo) {
   Drive drive(synthetic::Room());
   for (int step = 0; step <= 80; ++step) EXPECT_FALSE(drive.To(OnRound(step)).searched) << step;
