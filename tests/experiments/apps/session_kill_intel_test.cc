@@ -35,7 +35,8 @@ TEST(SessionOfIntel, GoesOnToTheSameBytesFromRandomMoments) {
   int kills = 0, resumed = 0;
   for (int times = 0; times < runs; ++times) {
     const std::string session = folder.Path("sessions/s" + std::to_string(times));
-    kills += IsKilledAfter(whole_s * random.Uniform(), WithSession(command(out), session, 0.2));
+    kills +=
+        IsKilledAfter(whole_s * random.Uniform(), Start(WithSession(command(out), session, 0.2)));
     const CommandResult result = RunCommand(WithSession(command(out), session, 0.2));
     ASSERT_EQ(result.status, 0) << result.err;
     ExpectSameResult(whole, out);
